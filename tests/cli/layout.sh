@@ -16,7 +16,7 @@ done
 accepts beadswim-layout check --help
 
 # --- wrong command lines
-refuses 'a command is needed: swimmer, swarm, shape, defect, reduce, check' beadswim-layout
+refuses 'a command is needed: swimmer, swarm, shape, defect, reduce, vary, check' beadswim-layout
 refuses 'swimer: unknown command; did you mean "swimmer"' beadswim-layout swimer
 refuses 'swimer: unknown command' beadswim-layout swimer --help
 refuses '--no-such-flag: unknown flag. "beadswim-layout --help" lists all flags' beadswim-layout --no-such-flag

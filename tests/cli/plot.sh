@@ -205,7 +205,11 @@ has_status 2
 err_has '^beadswim-plot: other.png: .*install the package librsvg2-bin'
 check 'a refused figure left a file behind' test ! -e other.png
 refuses '/no/such/folder/x.svg: the file cannot be created' beadswim-plot stroke run.json -o /no/such/folder/x.svg
-refuses '--output: the file name "x.pdf" ends in neither .svg nor .png' beadswim-plot stroke run.json -o x.pdf
+refuses '--output: the file name "x.gif" does not end in .svg, .png or .pdf' beadswim-plot stroke run.json -o x.gif
+accepts beadswim-plot stroke run.json -o x.pdf --data x.csv
+check 'a PDF file' test "$(head -c 5 x.pdf)" = %PDF-
+check 'the numbers drawn' grep -qE '^"arm amplitude[^"]*","[^"]*","cycle[^"]*","","[^"]+",1,[0-9.]+,$' x.csv
+refuses '--data: figure and data have the same file name' beadswim-plot stroke run.json -o x.svg --data x.svg
 
 # --- speed against error: rms of errors and median of costs of runs at one resolution, joined by setting
 scaled() { # FACTOR CELLS SECONDS [JQ]   the run with a stroke and velocity so many times as large, and that cost

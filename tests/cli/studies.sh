@@ -93,6 +93,24 @@ has_status 2
 err_has 'invalid.jsonl line 4: the object lacks the key "fluid"'
 refuses 'missing.jsonl: the file cannot be read' beadswim-theory some.jsonl missing.jsonl
 
+# --- figures
+
+accepts beadswim-plot against study-theory.jsonl --x period --group-by phase --method rpy-ode,rpy-perturbation -o - --data data.csv
+notes_have 'uncertainties that runs and predictions state'
+mv out figure.svg
+check 'a curve per method and phase' test "$(sed 1d data.csv | cut -d'"' -f10 | sort -u | tr '\n' ' ')" = 'rpy-ode, phase = 0.5236 rpy-ode, phase = 1.571 rpy-perturbation, phase = 0.5236 rpy-perturbation, phase = 1.571 '
+check 'the numbers of the predictions' cmp <(grep 'rpy-ode, phase = 1.571' data.csv | cut -d, -f7- | cut -d, -f1,2 | sort -t, -g) \
+  <(jq -r 'select(.study.phase > 1) | "\(.study.period),\(.predictions[0].velocity)"' study-theory.jsonl | sort -t, -g)
+check 'bands' grep -q '<polygon' figure.svg
+for result in efficiency power arm_amplitudes; do
+  accepts beadswim-plot against study-theory.jsonl --x period --y "$result" --group-by phase --log xy -o figure.svg
+done
+refuses '--x: "perod" is not varied in .*did you mean "period"' beadswim-plot against study-theory.jsonl --x perod -o x.svg
+beadswim-theory base.json --method rpy-ode >base-theory.json
+refuses '--x: base-theory.json belongs to no study' beadswim-plot against base-theory.json --x period -o x.svg
+jq -c '.study.frame = "lab"' study-theory.jsonl >words.jsonl
+refuses '--x: "frame" is the word "lab"' beadswim-plot against words.jsonl --x frame -o x.svg
+
 # --- runs of a stream
 
 beadswim-layout vary base.json --over period=2000:8000:4 --over phase=30deg,90deg >study.jsonl
@@ -107,6 +125,9 @@ check 'each record is beside its trajectory' cmp run-3.json <(sed -n 3p runs.jso
 check 'trajectories' test -s run-8.h5md
 beadswim-run <(sed -n 3p study.jsonl) "${runs[@]}" -o alone.h5md >alone.json 2>err
 check 'the record of a run alone' cmp <(jq 'del(.cost, .provenance, .request_sha256)' run-3.json) <(jq 'del(.cost, .provenance)' alone.json)
+
+accepts beadswim-plot against runs.jsonl study-theory.jsonl --x period --group-by phase --method rpy-ode -o figure.svg --data data.csv
+check 'runs as marks with errors' grep -qE '"rpy, phase = 0.5236",2000,[0-9.e-]+,[0-9.e-]+$' data.csv
 
 # The same command repeats nothing; what is missing or was made with other flags is run.
 touch mark
@@ -155,7 +176,10 @@ jq -c '.domain = {lengths: [60, 30, 30], boundary: ["periodic", "periodic", "per
 run beadswim-run mixed.jsonl --model lbm --cells-per-radius 2 --cycles 0.05 --progress none -o mixed-{}.h5md
 has_status 3
 err_has '3 of 4 layouts have no result'
-check 'failures' holds -s 'map(.status) == ["finished", "failed", "failed", "failed"] and .[1].member == 2 and (.[1].reason | test("lattice needs a box"))' out
+mv out mixed-runs.jsonl
+check 'failures' holds -s 'map(.status) == ["finished", "failed", "failed", "failed"] and .[1].member == 2 and (.[1].reason | test("lattice needs a box"))' mixed-runs.jsonl
+run beadswim-plot stroke mixed-runs.jsonl -o failures.svg
+err_has '3 documents are failures without results'
 refuses 'each of the 8 layouts needs a trajectory of its own; write \{\} once' beadswim-run study.jsonl "${runs[@]}" -o run.h5md
 refuses 'is for a single layout' beadswim-run study.jsonl --plan -o run-{}.h5md
 refuses '--ranks-per-run: 2 is more than the 1 ranks' beadswim-run study.jsonl "${runs[@]}" --ranks-per-run 2 -o run-{}.h5md

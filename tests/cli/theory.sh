@@ -95,7 +95,7 @@ second '' <paper.json >alike.json
 accepts beadswim-theory alike.json
 out_has '"swimmer": 0'
 second '"driving": { "phase": 0.3 }, ' <paper.json >different.json
-refuses 'swimmers 0 and 7 differ.*--swimmer ID.*reduce' beadswim-theory different.json
+refuses 'swimmers 0 and 7 differ.*--swimmer ID$' beadswim-theory different.json
 accepts beadswim-theory --swimmer 7 different.json
 out_is_valid
 out_has '"swimmer": 7'

@@ -11,7 +11,7 @@ import sys
 from messages import TOKEN
 
 FLAG = re.compile(r"(?<![\w-])--[a-z]|^\"-[a-z]\"$|mpirun -n")
-OF_RSVG_CONVERT = {'"--zoom=2"', '"--format=png"'}
+OF_RSVG_CONVERT = {'"--zoom=1"', '"--zoom=2"', '"--format=png"', '"--format=pdf"'}
 
 
 def main():

@@ -129,5 +129,40 @@ TEST(Figure, ASeriesWithoutLabelHasNoLegend) {
   EXPECT_EQ(count(figure_to_svg(figure), "<circle"), 2U);
 }
 
+// The errors 0.2 make the y axis span from below 1 - 0.2 to above 2 + 0.2; bars and bands span twice the
+// error.
+TEST(Figure, ErrorsAreBarsAtPointsAndABandAlongALine) {
+  Figure figure = figure_with({1, 2}, {1, 2});
+  Series& series = figure.panels[0].series[0];
+  const std::string without = figure_to_svg(figure);
+  series.errors = {0.2, 0.2};
+  const std::string bars = figure_to_svg(figure);
+  EXPECT_EQ(count(bars, "stroke-width=\"1.1"), count(without, "stroke-width=\"1.1") + 2);
+  EXPECT_EQ(count(bars, "<polygon"), 0U);
+  series.mark = Mark::line;
+  const std::string band = figure_to_svg(figure);
+  EXPECT_EQ(count(band, "<polygon"), 1U);
+  series.y[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(count(figure_to_svg(figure), "<polygon"), 0U);  // one point has no band
+}
+
+TEST(Figure, AnErrorBelowALogarithmicAxisEndsAtItsLowerEdge) {
+  Figure figure = figure_with({1, 2}, {1, 10});
+  figure.panels[0].y_scale = ScaleKind::logarithmic;
+  figure.panels[0].series[0].errors = {2, 1};
+  EXPECT_THAT(figure_to_svg(figure), Not(HasSubstr("nan")));
+  EXPECT_THAT(figure_to_svg(figure), Not(HasSubstr("inf")));
+}
+
+TEST(Figure, ItsNumbersAreLinesOfValues) {
+  Figure figure = figure_with({1, 2, 3}, {0.1, std::numeric_limits<double>::quiet_NaN(), 0.25});
+  EXPECT_EQ(figure_to_csv(figure),
+            "y_name,y_unit,x_name,x_unit,series,x,y,y_error\n"
+            "\"v\",\"um/s\",\"T\",\"\",\"lbm \"\"run\"\"\",1,0.1,\n"
+            "\"v\",\"um/s\",\"T\",\"\",\"lbm \"\"run\"\"\",3,0.25,\n");
+  figure.panels[0].series[0].errors = {0.01, 0, 0.02};
+  EXPECT_THAT(figure_to_csv(figure), HasSubstr(",3,0.25,0.02\n"));
+}
+
 }  // namespace
 }  // namespace beadswim

@@ -14,9 +14,9 @@ VaryCommand::VaryCommand(CLI::App& program)
   add_layout_files(*command_, files_);
   command_
       ->add_option("--over", variations_,
-                   "A quantity and its values: evenly spaced, logarithmically spaced, or listed. NAME is a "
-                   "flag of beadswim-layout swimmer without --, or a JSON pointer to a number or word in the "
-                   "layout, such as /types/a/beads/0/radius. Repeat the flag for all combinations.")
+                   "A quantity and its values. NAME: a flag of beadswim-layout swimmer without --, or a JSON "
+                   "pointer into the layout, such as /types/a/beads/0/radius. Repeat the flag for all "
+                   "combinations.")
       ->type_name("NAME=FROM:TO:COUNT[:log]|NAME=V1,V2,...")
       ->required()
       ->allow_extra_args(false);

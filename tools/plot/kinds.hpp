@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/figure/figure.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {
@@ -14,20 +15,31 @@ namespace beadswim {
 struct PlotFiles {
   std::vector<std::string> inputs;
   std::string output = "-";
+  std::string data;  ///< file of the numbers drawn; empty: none
 };
 
-/// Reads the inputs and returns the figure as an SVG document. Throws InputError for invalid inputs.
-using Drawing = std::function<std::string(const PlotFiles&)>;
+/// A drawn figure: SVG, and its numbers as comma-separated values; pictures of beads have none.
+struct Drawn {
+  Drawn(const Figure& figure) : svg(figure_to_svg(figure)), csv(figure_to_csv(figure)) {}
+  Drawn(std::string picture) : svg(std::move(picture)) {}
+
+  std::string svg, csv{};
+};
+
+/// Reads the inputs and draws the figure. Throws InputError for invalid inputs.
+using Drawing = std::function<Drawn(const PlotFiles&)>;
 
 /// A kind of figure. Each kind is a command of the program.
 struct PlotKind {
   const char* name;
   const char* description;
   const char* inputs;                       ///< help on the input files
+  bool has_data;                            ///< true: a chart, whose numbers --data writes
   Drawing (*add_flags)(CLI::App& command);  ///< adds flags, and returns the function that draws
   std::array<const char*, 2> examples;      ///< examples at the end of the help
 };
 
+Drawing add_against_flags(CLI::App& command);
 Drawing add_stroke_flags(CLI::App& command);
 Drawing add_period_flags(CLI::App& command);
 Drawing add_separation_flags(CLI::App& command);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/figure/png.hpp"
+#include "beadswim/figure/svg_conversion.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/tools/program.hpp"
 #include "kinds.hpp"
@@ -15,16 +15,16 @@ namespace {
 using namespace beadswim;
 
 void require_figure_path(const std::string& path) {
-  if (path == "-" || path.ends_with(".svg") || path.ends_with(".png")) return;
-  throw InputError("--output", fmt::format("the file name \"{}\" ends in neither .svg nor .png; give a name "
-                                           "with one of these endings, or - for SVG on standard output",
+  if (path == "-" || path.ends_with(".svg") || path.ends_with(".png") || path.ends_with(".pdf")) return;
+  throw InputError("--output", fmt::format("the file name \"{}\" does not end in .svg, .png or .pdf; give a "
+                                           "name with one of these endings, or - for SVG on standard output",
                                            path));
 }
 
 int run(int argc, const char* const* argv) {
   const auto program = make_program(
       "beadswim-plot",
-      "Draws run records, predictions, verdicts, trajectories and layouts as a figure, SVG or PNG.");
+      "Draws run records, predictions, verdicts, trajectories and layouts as a figure: SVG, PNG or PDF.");
   program->require_subcommand(1);
   PlotFiles files;
   std::vector<std::pair<CLI::App*, Drawing>> commands;
@@ -33,8 +33,14 @@ int run(int argc, const char* const* argv) {
     command->add_option("FILES", files.inputs, kind.inputs)->type_name("FILE...")->default_str("");
     command
         ->add_option("-o,--output", files.output,
-                     "Figure to write: .svg, .png, or - for SVG on standard output")
+                     "Figure to write: .svg, .png, .pdf, or - for SVG on standard output")
         ->type_name("FILE");
+    if (kind.has_data)
+      command
+          ->add_option("--data", files.data,
+                       "File to write with the numbers drawn, as comma-separated values with names and units")
+          ->type_name("FILE.csv")
+          ->default_str("none");
     commands.emplace_back(command, kind.add_flags(*command));
     set_footer(*command, {kind.examples.begin(), kind.examples.end()}, "figures.md");
   }
@@ -44,10 +50,15 @@ int run(int argc, const char* const* argv) {
              "figures.md");
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
   require_figure_path(files.output);
-  for (const std::string& input : files.inputs) require_other_file(input, files.output);
+  for (const std::string& input : files.inputs)
+    for (const std::string& output : {files.output, files.data}) require_other_file(input, output);
+  if (!files.data.empty() && files.data == files.output)
+    throw InputError("--data", "figure and data have the same file name; name two files");
   const auto chosen = [](const auto& each) { return each.first->parsed(); };
-  const std::string svg = std::ranges::find_if(commands, chosen)->second(files);
-  write_text(files.output, files.output.ends_with(".png") ? svg_to_png(svg, files.output) : svg);
+  const Drawn drawn = std::ranges::find_if(commands, chosen)->second(files);
+  const bool is_svg = files.output == "-" || files.output.ends_with(".svg");
+  write_text(files.output, is_svg ? drawn.svg : converted_svg(drawn.svg, files.output));
+  if (!files.data.empty()) write_text(files.data, drawn.csv);
   return static_cast<int>(ExitStatus::fine);
 }
 

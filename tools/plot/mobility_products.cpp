@@ -85,7 +85,7 @@ Figure product_figure(const std::vector<std::string>& files) {
 }  // namespace
 
 Drawing add_product_flags(CLI::App&) {
-  return [](const PlotFiles& files) { return figure_to_svg(product_figure(files.inputs)); };
+  return [](const PlotFiles& files) { return Drawn(product_figure(files.inputs)); };
 }
 
 }  // namespace beadswim

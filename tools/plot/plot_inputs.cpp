@@ -7,6 +7,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
+#include "beadswim/documents/failure_document.hpp"
 #include "beadswim/scene/units.hpp"
 
 namespace beadswim {
@@ -57,7 +58,7 @@ void append_named(const PredictionDocument& document, const std::string& source,
                   std::vector<PlottedPrediction>& result) {
   for (const std::string& method : methods) {
     for (const Prediction& prediction : document.predictions) {
-      if (prediction.method == method) result.push_back({source, prediction});
+      if (prediction.method == method) result.push_back({source, prediction, document.study});
     }
   }
 }
@@ -111,8 +112,13 @@ std::vector<SourceDocument> read_documents(const std::vector<std::string>& files
     throw InputError("-", "standard input can be read only once; name files for the other inputs");
   }
   std::vector<SourceDocument> documents;
+  int failures = 0;
   for (const std::string& path : files) {
     for (const auto& [source, json] : read_json_documents(path, "a run record or a prediction")) {
+      if (is_failure(json)) {
+        ++failures;
+        continue;
+      }
       if (schema_of(json).starts_with("beadswim/verdict/"))
         throw InputError(source,
                          "the document is a verdict; verdicts are drawn only by beadswim-plot "
@@ -120,13 +126,18 @@ std::vector<SourceDocument> read_documents(const std::vector<std::string>& files
       documents.push_back({source, swimming_from_json(json, source)});
     }
   }
+  if (documents.empty())
+    throw InputError("FILES", "all documents are failures; their key \"reason\" says why there is no result");
+  if (failures > 0)
+    print_to_stderr(fmt::format(
+        "beadswim-plot: {} documents are failures without results, and are left out\n", failures));
   return documents;
 }
 
 void append(const PredictionDocument& document, const std::string& source, const MethodChoice& choice,
             PlotInputs& inputs) {
   if (choice.methods.empty()) {
-    inputs.predictions.push_back({source, best_prediction(document, source)});
+    inputs.predictions.push_back({source, best_prediction(document, source), document.study});
   } else {
     append_named(document, source, choice.methods, inputs.predictions);
   }

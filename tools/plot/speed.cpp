@@ -232,14 +232,14 @@ Drawing add_speed_flags(CLI::App& command) {
     const CycleChoice cycle = parse_cycle_choice(flags->cycle);
     if (!flags->reference.empty()) {
       require_other_file(flags->reference, files.output);
-      return figure_to_svg(speed_figure(read_plot_inputs(files.inputs, {}), *flags, cycle));
+      return Drawn(speed_figure(read_plot_inputs(files.inputs, {}), *flags, cycle));
     }
     if (flags->cycle != SpeedFlags().cycle) {
       throw InputError("--cycle",
                        "each verdict already states which cycle was compared; leave --cycle out, or draw run "
                        "records with --reference instead of verdicts");
     }
-    return figure_to_svg(verdict_figure(files.inputs, flags->methods));
+    return Drawn(verdict_figure(files.inputs, flags->methods));
   };
 }
 

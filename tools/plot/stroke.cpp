@@ -143,7 +143,7 @@ Panel panel_by_cycle(const PlotInputs& inputs, const StrokeNumbers& numbers, con
     for (const PlottedRun& run : inputs.runs) runs.push_back(points_by_cycle(inputs, run, number));
     append_points_and_curves(runs, {}, number.colour, panel);
     std::vector<Level> levels;
-    for (const auto& [source, prediction] : inputs.predictions)
+    for (const auto& [source, prediction, study] : inputs.predictions)
       levels.push_back({number.label(prediction.method), number.in(swimming_of(prediction))});
     append_levels(levels, cycles.first - overhang, cycles.last + overhang, number.colour, panel);
   }
@@ -279,8 +279,8 @@ Drawing add_stroke_flags(CLI::App& command) {
   return [flags](const PlotFiles& files) {
     const CycleChoice cycle = parse_cycle_choice(flags->cycle);
     const PlotInputs inputs = read_plot_inputs(files.inputs, {flags->methods});
-    return figure_to_svg(flags->against ? stroke_against(inputs, flags->bonds, {*flags->against, cycle})
-                                        : stroke_by_cycle(inputs, flags->bonds));
+    return Drawn(flags->against ? stroke_against(inputs, flags->bonds, {*flags->against, cycle})
+                                : stroke_by_cycle(inputs, flags->bonds));
   };
 }
 

@@ -213,8 +213,7 @@ Drawing add_trajectory_flags(CLI::App& command) {
       [options](const std::string& word) {
         options->against = word == "time" ? Against::time : Against::angle;
       });
-  return
-      [options](const PlotFiles& files) { return figure_to_svg(trajectory_figure(files.inputs, *options)); };
+  return [options](const PlotFiles& files) { return Drawn(trajectory_figure(files.inputs, *options)); };
 }
 
 }  // namespace beadswim

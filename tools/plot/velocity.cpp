@@ -151,7 +151,7 @@ Drawing add_velocity_flags(CLI::App& command, Abscissa abscissa) {
                  " where velocities are positive and span over two decades, else linear");
   return [flags, abscissa](const PlotFiles& files) {
     parse_cycle_choice(flags->cycle);
-    return figure_to_svg(velocity_figure(read_plot_inputs(files.inputs, flags->methods), abscissa, *flags));
+    return Drawn(velocity_figure(read_plot_inputs(files.inputs, flags->methods), abscissa, *flags));
   };
 }
 

@@ -21,9 +21,13 @@ bool belongs_to(const std::vector<CurvePoint>& points, std::size_t i, Part part)
 /// Returns the points of one part of a curve. y is NaN at all points that do not belong to the part, so that
 /// the line has gaps there.
 Series part_of(const std::vector<CurvePoint>& points, Part part, Series style) {
+  const bool has_errors = part == Part::usable && std::ranges::any_of(points, [](const CurvePoint& point) {
+                            return point.error > 0;
+                          });
   for (std::size_t i = 0; i < points.size(); ++i) {
     style.x.push_back(points[i].x);
     style.y.push_back(belongs_to(points, i, part) ? points[i].y : std::numeric_limits<double>::quiet_NaN());
+    if (has_errors) style.errors.push_back(points[i].error);
   }
   return style;
 }
@@ -75,8 +79,12 @@ void append_points_and_curves(const std::vector<PointGroup>& groups, const std::
   const int num_groups = static_cast<int>(groups.size());
   for (int g = 0; g < num_groups; ++g) {
     const PointGroup& group = groups[static_cast<std::size_t>(g)];
-    panel.series.push_back(
-        {.label = group.label, .x = group.x, .y = group.y, .colour = colour.value_or(g), .shape = g});
+    panel.series.push_back({.label = group.label,
+                            .x = group.x,
+                            .y = group.y,
+                            .errors = group.errors,
+                            .colour = colour.value_or(g),
+                            .shape = g});
   }
   constexpr int first_open_shape = 4;  // predictions have open markers, runs filled markers
   for (int c = 0; c < static_cast<int>(curves.size()); ++c) {

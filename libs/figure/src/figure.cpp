@@ -66,6 +66,10 @@ bool can_show(double value, ScaleKind scale) {
   return std::isfinite(value) && (scale == ScaleKind::linear || value > 0);
 }
 
+double error_at(const Series& series, std::size_t i) {
+  return i < series.errors.size() ? series.errors[i] : 0;
+}
+
 struct PanelRange {
   Range x, y;
 
@@ -74,6 +78,8 @@ struct PanelRange {
       if (!can_show(series.x[i], panel.x_scale) || !can_show(series.y[i], panel.y_scale)) continue;
       x.include(series.x[i]);
       y.include(series.y[i]);
+      for (const double y_end : {series.y[i] - error_at(series, i), series.y[i] + error_at(series, i)})
+        if (can_show(y_end, panel.y_scale)) y.include(y_end);
     }
   }
   bool is_empty() const { return x.high < x.low; }
@@ -175,6 +181,49 @@ std::string draw_points(const Series& series, const Stretch& stretch) {
   return elements;
 }
 
+/// Returns the point on the page, moved to the edge of the plot if it lies above or below.
+svg::Point inside_plot(const PlotArea& area, double x, double y) {
+  svg::Point point = area.at(x, y);
+  point.y = std::isfinite(point.y) ? std::clamp(point.y, area.top, area.bottom()) : area.bottom();
+  return point;
+}
+
+/// Draws bars at points, or the band along each part of a line without gap.
+std::string draw_errors(const PlotArea& area, const Series& series) {
+  std::string elements;
+  if (series.errors.empty()) return elements;
+  svg::Stroke bar = line_stroke(series);
+  bar.width = faint_line_width;
+  bar.dashes = "";
+  std::vector<svg::Point> upper, lower;
+  const auto close_band = [&] {
+    if (upper.size() > 1) {
+      upper.insert(upper.end(), lower.rbegin(), lower.rend());
+      elements += svg::area(upper, bar.colour, 0.15);
+    }
+    upper.clear();
+    lower.clear();
+  };
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    const bool is_drawn = std::isfinite(area.at(series.x[i], series.y[i]).x) &&
+                          std::isfinite(area.at(series.x[i], series.y[i]).y);
+    if (!is_drawn) {
+      close_band();
+      continue;
+    }
+    const svg::Point high = inside_plot(area, series.x[i], series.y[i] + error_at(series, i));
+    const svg::Point low = inside_plot(area, series.x[i], series.y[i] - error_at(series, i));
+    if (series.mark == Mark::points) {
+      if (high.y < low.y) elements += svg::line(low, high, bar);
+    } else {
+      upper.push_back(high);
+      lower.push_back(low);
+    }
+  }
+  close_band();
+  return elements;
+}
+
 std::string draw_series(const PlotArea& area, const Series& series) {
   std::vector<svg::Point> points;
   Stretch inside;
@@ -182,7 +231,7 @@ std::string draw_series(const PlotArea& area, const Series& series) {
     points.push_back(area.at(series.x[i], series.y[i]));
     if (area.contains(points.back())) inside.push_back(points.back());
   }
-  std::string elements;
+  std::string elements = draw_errors(area, series);
   for (const Stretch& stretch : visible_stretches(points, area.top, area.bottom())) {
     elements += draw_line(series, stretch);
   }
@@ -248,6 +297,30 @@ std::string figure_to_svg(const Figure& figure) {
   const NoteBlock notes = draw_notes(figure.notes, {plot_left, top}, width - plot_left - margin);
   return svg::document(width, notes.bottom + margin + line_pitch / 3, figure.title,
                        elements + notes.elements);
+}
+
+std::string figure_to_csv(const Figure& figure) {
+  const auto quoted = [](const std::string& text) {
+    std::string all = "\"";
+    for (const char c : text) all += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return all + "\"";
+  };
+  std::string lines = "y_name,y_unit,x_name,x_unit,series,x,y,y_error\n";
+  for (const Panel& panel : figure.panels) {
+    const std::string names =
+        fmt::format("{},{},{},{}", quoted(panel.y_label.quantity), quoted(panel.y_label.unit),
+                    quoted(panel.x_label.quantity), quoted(panel.x_label.unit));
+    std::string label;
+    for (const Series& series : panel.series) {
+      if (!series.label.empty()) label = series.label;  // faint parts follow or precede without a label
+      for (std::size_t i = 0; i < series.x.size(); ++i) {
+        if (!std::isfinite(series.y[i])) continue;
+        lines += fmt::format("{},{},{},{},{}\n", names, quoted(label), series.x[i], series.y[i],
+                             series.errors.empty() ? "" : fmt::format("{}", series.errors[i]));
+      }
+    }
+  }
+  return lines;
 }
 
 }  // namespace beadswim

@@ -116,6 +116,14 @@ std::string polyline(const std::vector<Point>& points, const Stroke& stroke) {
                      attributes(stroke));
 }
 
+std::string area(const std::vector<Point>& points, const std::string& fill, double opacity) {
+  std::string list;
+  for (const Point& point : points)
+    list += fmt::format("{}{},{}", list.empty() ? "" : " ", number(point.x), number(point.y));
+  return fmt::format("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"{}\"/>\n", list, fill,
+                     number(opacity));
+}
+
 std::string rectangle(Point top_left, double width, double height, const Stroke& stroke) {
   return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" {}/>\n",
                      number(top_left.x), number(top_left.y), number(width), number(height),

@@ -33,6 +33,8 @@ inline constexpr int marker_shapes = 8;
 
 std::string line(Point from, Point to, const Stroke& stroke);
 std::string polyline(const std::vector<Point>& points, const Stroke& stroke);
+/// Returns a filled area without outline.
+std::string area(const std::vector<Point>& points, const std::string& fill, double opacity);
 std::string disc(Point centre, double radius, const std::string& fill, const Stroke& stroke);
 std::string rectangle(Point top_left, double width, double height, const Stroke& stroke);
 std::string text(Point at, const std::string& content, const TextStyle& style);

@@ -197,12 +197,9 @@ void add_flags(CLI::App& program, RunOptions& options) {
       ->default_str("-");
   begin_group(program, "Output");
   program
-      .add_option(
-          "-o,--output", options.output,
-          "Trajectory file to write (H5MD); an existing file is replaced when the run ends. Required "
-          "without --restart. For a stream of layouts, {} in the name is the number of the layout, and "
-          "each record is also written to NAME.json beside NAME.h5md; the same command does not repeat "
-          "runs whose records are there.")
+      .add_option("-o,--output", options.output,
+                  "Trajectory file to write (H5MD); an existing file is replaced when the run ends. Required "
+                  "without --restart. In the name, {} is the number of the layout of a stream")
       ->type_name("FILE.h5md")
       ->default_str("");
   add_model(program, options);

@@ -16,11 +16,13 @@ namespace beadswim {
 struct PointGroup {
   std::string label;
   std::vector<double> x{}, y{};
+  std::vector<double> errors{};  ///< half lengths of error bars; empty: none
 };
 
 struct CurvePoint {
   double x = 0, y = 0;
   bool usable = true;  ///< false: the point is drawn faintly
+  double error = 0;    ///< half width of the band around the curve
 };
 
 /// Points with a common label that are connected by a line, in order of x.

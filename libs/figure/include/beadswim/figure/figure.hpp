@@ -23,6 +23,8 @@ enum class Emphasis {
 struct Series {
   std::string label;  ///< text in the legend; if empty, the series is not in the legend
   std::vector<double> x{}, y{};
+  std::vector<double> errors{};  ///< half lengths of bars at points and half widths of bands along lines, in
+                                 ///< units of y; empty: none
   Mark mark = Mark::points;
   int colour = 0;  ///< index in the palette of Okabe and Ito, modulo its size
   int shape = 0;   ///< 0 to 3: filled circle, square, triangle, diamond; 4 to 7: open; modulo 8
@@ -53,5 +55,9 @@ struct Figure {
 /// Returns the figure as a complete SVG document. Throws InputError if a panel has no point that can be
 /// drawn.
 std::string figure_to_svg(const Figure& figure);
+
+/// Returns the numbers that the figure draws as comma-separated values, a line per point: names and units of
+/// both axes, label of the series, x, y, and the error if the series has any.
+std::string figure_to_csv(const Figure& figure);
 
 }  // namespace beadswim

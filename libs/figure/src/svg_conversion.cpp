@@ -1,4 +1,4 @@
-#include "beadswim/figure/png.hpp"
+#include "beadswim/figure/svg_conversion.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -28,13 +28,13 @@ TemporaryFile temporary_file(const std::string& content) {
   TemporaryFile file(std::tmpfile());
   if (!file)
     throw SolverError(
-        fmt::format("a temporary file for the .png picture cannot be created: {}; free disk space for "
+        fmt::format("a temporary file for the picture cannot be created: {}; free disk space for "
                     "temporary files, or write .svg",
                     std::strerror(errno)));
   const std::size_t written = std::fwrite(content.data(), 1, content.size(), file.get());
   if (written != content.size() || std::fflush(file.get()) != 0) {
     throw SolverError(
-        fmt::format("the temporary file for the .png picture cannot be written: {}; free disk space for "
+        fmt::format("the temporary file for the picture cannot be written: {}; free disk space for "
                     "temporary files, or write .svg",
                     std::strerror(errno)));
   }
@@ -76,9 +76,11 @@ int run_filter(const std::string& what_for, char* const* command, std::FILE* inp
 
 }  // namespace
 
-std::string svg_to_png(const std::string& svg, const std::string& path) {
+std::string converted_svg(const std::string& svg, const std::string& path) {
   const TemporaryFile input = temporary_file(svg), output = temporary_file("");
-  std::string program = "rsvg-convert", zoom = "--zoom=2", format = "--format=png";
+  const bool is_pdf = path.ends_with(".pdf");
+  std::string program = "rsvg-convert", zoom = is_pdf ? "--zoom=1" : "--zoom=2",
+              format = is_pdf ? "--format=pdf" : "--format=png";
   const std::array<char*, 4> command{program.data(), zoom.data(), format.data(), nullptr};
   if (const int status = run_filter(path, command.data(), input.get(), output.get())) {
     throw SolverError(
