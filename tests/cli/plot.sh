@@ -12,22 +12,23 @@ drawn() { # NUMBER ELEMENT   how often the element is in out
 }
 
 # --- what it says of itself
-kinds='stroke velocity-against-period separation speed-against-error trajectories swarm swimmer mobility-products'
+kinds='stroke velocity-against-period against separation speed-against-error trajectories swarm swimmer mobility-products'
 accepts beadswim-plot --help
-check 'a kind is not listed with one line' test "$(sed -n '/^Subcommands:/,/^$/p' out | grep -vc '^$')" -eq 17
+check 'a kind is not listed with one line' test "$(sed -n '/^Subcommands:/,/^$/p' out | grep -vc '^$')" -eq 19
 has_flags() { # KIND FLAG...   these alone, beside those of all kinds
   accepts beadswim-plot "$1" --help
   check "$1 has other flags" test "$(grep -oE '^  (-[a-z],)?--[a-z-]+' out | xargs)" = "$(echo -h,--help -o,--output "${@:2}")"
 }
 for kind in $kinds; do out_has "^  $kind$"; done
-has_flags stroke --method --cycle --against --bonds
-has_flags velocity-against-period --method --cycle --relative-to --axes
-has_flags separation --method --cycle --relative-to --axes
-has_flags speed-against-error --method --cycle --reference
-has_flags trajectories --swimmers --beads --along --against
+has_flags stroke --data --method --cycle --against --bonds
+has_flags velocity-against-period --data --method --cycle --relative-to --axes
+has_flags against --data --x --y --group-by --log --method --cycle
+has_flags separation --data --method --cycle --relative-to --axes
+has_flags speed-against-error --data --method --cycle --reference
+has_flags trajectories --data --swimmers --beads --along --against
 has_flags swarm --frame --colours --block-swimmers --repeat --mark --distances
 has_flags swimmer --swimmers
-has_flags mobility-products
+has_flags mobility-products --data
 accepts beadswim-plot --help-all
 for flag in --against --relative-to --reference --beads --mark --swimmers; do out_has "^ +$flag "; done
 accepts beadswim-plot --version
@@ -209,7 +210,8 @@ refuses '--output: the file name "x.gif" does not end in .svg, .png or .pdf' bea
 accepts beadswim-plot stroke run.json -o x.pdf --data x.csv
 check 'a PDF file' test "$(head -c 5 x.pdf)" = %PDF-
 check 'the numbers drawn' grep -qE '^"arm amplitude[^"]*","[^"]*","cycle[^"]*","","[^"]+",1,[0-9.]+,$' x.csv
-refuses '--data: figure and data have the same file name' beadswim-plot stroke run.json -o x.svg --data x.svg
+refuses '--data: the file name "x.svg" does not end in .csv' beadswim-plot stroke run.json -o x.svg --data x.svg
+refuses '--data: figure and data have the same file name' beadswim-plot stroke run.json -o - --data -
 
 # --- speed against error: rms of errors and median of costs of runs at one resolution, joined by setting
 scaled() { # FACTOR CELLS SECONDS [JQ]   the run with a stroke and velocity so many times as large, and that cost
@@ -377,7 +379,7 @@ for figure in "$BEADSWIM_SOURCE"/docs/images/*.svg; do
 done
 
 # --- what it refuses
-refuses 'a command is needed: stroke, velocity-against-period, separation, speed-against-error' beadswim-plot
+refuses 'a command is needed: stroke, velocity-against-period, against, separation, speed-against-error' beadswim-plot
 refuses 'strok: unknown command; did you mean "stroke"' beadswim-plot strok run.json
 refuses '--method: the flag is in the wrong place; write the flag after "beadswim-plot stroke"' beadswim-plot --method all stroke run.json
 refuses '--metod: unknown flag; did you mean --method' beadswim-plot stroke run.json --metod all

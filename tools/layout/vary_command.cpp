@@ -14,9 +14,8 @@ VaryCommand::VaryCommand(CLI::App& program)
   add_layout_files(*command_, files_);
   command_
       ->add_option("--over", variations_,
-                   "A quantity and its values. NAME: a flag of beadswim-layout swimmer without --, or a JSON "
-                   "pointer into the layout, such as /types/a/beads/0/radius. Repeat the flag for all "
-                   "combinations.")
+                   "A quantity (a flag of beadswim-layout swimmer without --, or a JSON pointer into the "
+                   "layout) and its values. Repeat the flag for all combinations.")
       ->type_name("NAME=FROM:TO:COUNT[:log]|NAME=V1,V2,...")
       ->required()
       ->allow_extra_args(false);

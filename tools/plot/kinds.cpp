@@ -24,8 +24,8 @@ constexpr std::array kinds{
              records_and_predictions,
              true,
              add_period_flags,
-             {"beadswim-plot velocity-against-period sweep.jsonl -o velocity.svg",
-              "beadswim-plot velocity-against-period sweep.jsonl --method all --axes linear -o methods.svg"}},
+             {"beadswim-plot velocity-against-period study.jsonl -o velocity.svg",
+              "beadswim-plot velocity-against-period study.jsonl --method all --axes linear -o methods.svg"}},
     PlotKind{
         "against",
         "Draws a result of a study against a quantity that beadswim-layout vary has varied.",

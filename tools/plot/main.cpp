@@ -21,6 +21,16 @@ void require_figure_path(const std::string& path) {
                                            path));
 }
 
+void require_data_path(const PlotFiles& files) {
+  if (files.data.empty()) return;
+  if (!files.data.ends_with(".csv") && files.data != "-")
+    throw InputError("--data", fmt::format("the file name \"{}\" does not end in .csv; give a name with this "
+                                           "ending, or - for standard output",
+                                           files.data));
+  if (files.data == files.output)
+    throw InputError("--data", "figure and data have the same file name; name two files");
+}
+
 int run(int argc, const char* const* argv) {
   const auto program = make_program(
       "beadswim-plot",
@@ -50,10 +60,9 @@ int run(int argc, const char* const* argv) {
              "figures.md");
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
   require_figure_path(files.output);
+  require_data_path(files);
   for (const std::string& input : files.inputs)
     for (const std::string& output : {files.output, files.data}) require_other_file(input, output);
-  if (!files.data.empty() && files.data == files.output)
-    throw InputError("--data", "figure and data have the same file name; name two files");
   const auto chosen = [](const auto& each) { return each.first->parsed(); };
   const Drawn drawn = std::ranges::find_if(commands, chosen)->second(files);
   const bool is_svg = files.output == "-" || files.output.ends_with(".svg");
