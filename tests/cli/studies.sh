@@ -43,6 +43,9 @@ refuses 'must be a whole number from 2' beadswim-layout vary base.json --over pe
 refuses 'needs two numbers above 0' beadswim-layout vary base.json --over period=0:2:3:log
 refuses 'write NAME=' beadswim-layout vary base.json --over period=
 refuses 'write NAME=' beadswim-layout vary base.json --over period
+refuses 'this is no JSON pointer' beadswim-layout vary base.json --over /domain~2=1
+accepts beadswim-layout vary base.json --over /swimmers/0/id=3,4
+refuses 'standard input can be read only once' beadswim-theory - - <base.json
 refuses 'a value is missing' beadswim-layout vary base.json --over period=1,,2
 refuses 'leads to nothing: base.json:/types/a has no key "bead"; did you mean "beads"' beadswim-layout vary base.json --over /types/a/bead=1
 refuses 'has 3 entries, numbered from 0' beadswim-layout vary base.json --over /types/a/beads/3/radius=1
@@ -111,6 +114,10 @@ refuses '--x: base-theory.json belongs to no study' beadswim-plot against base-t
 jq -c '.study.frame = "lab"' study-theory.jsonl >words.jsonl
 refuses '--x: "frame" is the word "lab"' beadswim-plot against words.jsonl --x frame -o x.svg
 
+jq -c 'select(.study.phase < 1) | .predictions[0].usable = (.study.period < 4000)' study-theory.jsonl >usable.jsonl
+accepts beadswim-plot against usable.jsonl --x period --method rpy-perturbation,rpy-ode -o figure.svg --data data.csv
+check 'each point once, with the name of its method' test "$(sed 1d data.csv | cut -d'"' -f10 | sort | uniq -c | xargs)" = '7 rpy-ode 7 rpy-perturbation'
+
 # --- runs of a stream
 
 beadswim-layout vary base.json --over period=2000:8000:4 --over phase=30deg,90deg >study.jsonl
@@ -167,7 +174,7 @@ check 'the same records' cmp out whole.jsonl
 # A time limit stops the stream; the same command goes on.
 run beadswim-run campaign.jsonl "${campaign[@]}" --time-limit 0.5 -o limited-{}.h5md
 has_status 4
-err_has 'after [0-9]+ of 24 layouts; the same command goes on'
+err_has 'after the first [0-9]+ of 24 layouts; the same command goes on'
 check 'the records so far' cmp out <(head -n "$(wc -l <out)" whole.jsonl)
 
 # A layout that cannot be run does not stop the others.
@@ -185,6 +192,27 @@ refuses 'is for a single layout' beadswim-run study.jsonl --plan -o run-{}.h5md
 refuses '--ranks-per-run: 2 is more than the 1 ranks' beadswim-run study.jsonl "${runs[@]}" --ranks-per-run 2 -o run-{}.h5md
 refuses 'invalid.jsonl line 4: the object lacks the key "fluid"' beadswim-run invalid.jsonl "${runs[@]}" -o invalid-{}.h5md
 check 'nothing was run' test ! -e invalid-1.h5md
+accepts beadswim-run base.json "${runs[@]}" -o single-{}.h5md
+refuses '"x[{][}]" does not end in .h5md' beadswim-run study.jsonl "${runs[@]}" -o 'x{}'
+for n in 1 2; do sed -n "${n}p" study.jsonl >"in-$n.json"; done
+cp in-1.json kept.json
+refuses 'in-1.json: the output would replace the input file' beadswim-run in-1.json in-2.json "${runs[@]}" -o in-{}.h5md
+check 'the layout is still there' cmp in-1.json kept.json
+echo '{"mine": 1}' >note-1.json
+refuses 'note-1.json: this file is no run record' beadswim-run study.jsonl "${runs[@]}" -o note-{}.h5md
+mkdir blocked-2.h5md   # a failure by something that can be mended is tried again
+run beadswim-run study.jsonl "${runs[@]}" -o blocked-{}.h5md
+has_status 3
+rmdir blocked-2.h5md
+run beadswim-run study.jsonl "${runs[@]}" -o blocked-{}.h5md
+has_status 0
+check 'all finished' holds -s 'length == 8 and all(.status == "finished")' out
+run beadswim-run in-1.json in-2.json --model auto --tolerance 0.3 --cycles 1 --progress none -o auto-{}.h5md
+mv out auto.jsonl
+run beadswim-run in-1.json in-2.json --model auto --tolerance 0.2 --cycles 1 --progress none -o auto-{}.h5md
+check 'other flags of a plan: other hashes' test "$(jq .request_sha256 auto.jsonl out | sort -u | wc -l)" -eq 4
+run timeout 60 mpirun -n 2 bash -c 'exec beadswim-run study.jsonl --model rpy --cycles 2 --progress none -o full-{}.h5md >/dev/full'
+check 'a full disk ends all ranks' test "$status" -eq 3
 accepts beadswim-run base.json "${runs[@]}" -o single-{}.h5md
 check 'one layout is a stream, too' test -s single-1.json -a "$(wc -l <out)" -eq 1
 

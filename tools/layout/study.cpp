@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <set>
 
 #include "beadswim/core/error.hpp"
@@ -153,6 +154,13 @@ Variation parse_variation(const std::string& text) {
   if (!variation.is_pointer() && std::ranges::find(names, variation.name) == names.end())
     refuse(text, format_unknown_name(variation.name, names) +
                      "; anything else in a layout has a JSON pointer, such as /domain/lengths/0");
+  if (variation.is_pointer()) {
+    try {
+      Json::json_pointer{variation.name};
+    } catch (const Json::exception&) {
+      refuse(text, "this is no JSON pointer; in its steps, ~ is written as ~0 and / as ~1");
+    }
+  }
   const std::vector<std::string> parts = split(values, ':');
   variation.values = parts.size() > 1 ? range(parts, text) : list(values, text);
   return variation;
@@ -197,7 +205,11 @@ LayoutDocument with_values(const Json& layout, const StudyPoint& point, const st
         value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
     values += fmt::format("{}{}={}", values.empty() ? "" : ", ", name, text);
     if (name.starts_with('/')) {
-      value_at(json, name, source) = value;
+      Json& place = value_at(json, name, source);
+      const bool is_whole = place.is_number_integer() && value.is_number() &&
+                            std::trunc(value.get<double>()) == value.get<double>() &&
+                            std::abs(value.get<double>()) < 1e15;
+      place = is_whole ? Json(static_cast<std::int64_t>(value.get<double>())) : value;
     } else {
       arguments.push_back(fmt::format("--{}={}", name, text));
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 
 #include "beadswim/core/error.hpp"
@@ -50,6 +51,7 @@ struct AgainstFlags {
   Result y = Result::velocity;
   LogAxes log = LogAxes::none;
   MethodChoice methods;
+  int group_digits = 4;  ///< of the values of --group-by in labels
 };
 
 AxisLabel label_of(Result result, const Units& units) {
@@ -152,13 +154,31 @@ double abscissa(const Json& study, const AgainstFlags& flags, const std::string&
                                       flags.x, value.dump(), source));
 }
 
+/// Returns the smallest number of digits, at least 4, with which the values of --group-by have different
+/// texts.
+int group_digits(const PlotInputs& inputs, const std::string& name) {
+  std::set<double> values;
+  const auto add = [&](const Json& study) {
+    if (study.is_object() && study.contains(name) && study[name].is_number())
+      values.insert(study[name].get<double>());
+  };
+  for (const PlottedRun& run : inputs.runs) add(run.record.study.value_or(Json()));
+  for (const PlottedPrediction& plotted : inputs.predictions) add(plotted.study);
+  for (int digits = 4; digits < 17; ++digits) {
+    std::set<std::string> texts;
+    for (const double value : values) texts.insert(fmt::format("{:.{}g}", value, digits));
+    if (texts.size() == values.size()) return digits;
+  }
+  return 17;
+}
+
 /// Returns ", NAME = VALUE" for the groups of --group-by.
 std::string group_label(const Json& study, const AgainstFlags& flags, const std::string& source) {
   if (flags.group_by.empty()) return "";
   const Json value = study_value(study, flags.group_by, source, "--group-by");
-  return fmt::format(
-      ", {} = {}", flags.group_by,
-      value.is_string() ? value.get<std::string>() : fmt::format("{:.4g}", value.get<double>()));
+  return fmt::format(", {} = {}", flags.group_by,
+                     value.is_string() ? value.get<std::string>()
+                                       : fmt::format("{:.{}g}", value.get<double>(), flags.group_digits));
 }
 
 std::string part_label(const std::string& part) {
@@ -251,7 +271,9 @@ Drawing add_against_flags(CLI::App& command) {
   add_cycle(command, flags->cycle);
   return [flags](const PlotFiles& files) {
     parse_cycle_choice(flags->cycle);
-    return against_figure(read_plot_inputs(files.inputs, flags->methods), *flags);
+    const PlotInputs inputs = read_plot_inputs(files.inputs, flags->methods);
+    flags->group_digits = group_digits(inputs, flags->group_by);
+    return against_figure(inputs, *flags);
   };
 }
 

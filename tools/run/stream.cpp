@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/rank_failure.hpp"
 #include "beadswim/core/sha256.hpp"
 #include "beadswim/core/version.hpp"
 #include "beadswim/documents/failure_document.hpp"
@@ -21,6 +22,9 @@ namespace beadswim {
 namespace {
 
 constexpr const char* number_mark = "{}";  ///< in --output: place of the number of a layout
+
+/// Flags that change neither results nor records.
+constexpr std::array same_result_flags{"--time-limit", "--progress", "--ranks-per-run", "--checkpoint-every"};
 
 LayoutDocument layout_of(const StreamMember& member) {
   return layout_from_json(parse_json(member.text, member.source), member.source);
@@ -43,16 +47,16 @@ std::unique_ptr<Communicator> group_of(const Communicator& communicator, int ran
   return group;
 }
 
-/// Two counters on rank 0, which rank 0 of every group may read and raise at any time.
+/// Counters on rank 0, which rank 0 of every group may read and raise at any time.
 class SharedCounters {
  public:
-  enum Counter { claimed, done };
+  enum Counter { claimed, done, stopped, number_of_counters };
 
   explicit SharedCounters(const Communicator& communicator) {
     long* memory = nullptr;
-    const MPI_Aint bytes = communicator.is_root() ? 2 * sizeof(long) : 0;
+    const MPI_Aint bytes = communicator.is_root() ? number_of_counters * sizeof(long) : 0;
     MPI_Win_allocate(bytes, sizeof(long), MPI_INFO_NULL, communicator.get(), &memory, &window_);
-    if (communicator.is_root()) std::fill_n(memory, 2, 0);
+    if (communicator.is_root()) std::fill_n(memory, number_of_counters, 0);
     MPI_Win_lock_all(0, window_);
     MPI_Win_sync(window_);
     MPI_Barrier(communicator.get());
@@ -90,9 +94,12 @@ MemberRun member_run(const RunOptions& options, const LayoutDocument& document, 
   run.record_path = std::filesystem::path(output).replace_extension(".json");
   std::string text =
       version() + dump_json(layout_to_json({.layout = document.layout, .study = document.study}));
-  for (const FlagValues& flags : {result_flags(options.settings), length_and_output_flags(options.settings)})
-    for (const auto& [flag, value] : flags) text += fmt::format("\n{}={}", flag, value);
-  text += fmt::format("\n{}\n{}", options.tolerance.value_or(0), options.with_provenance);
+  for (const Json& argument : options.provenance.at("arguments")) {
+    const std::string flag = argument.get<std::string>();
+    const bool has_same_result = std::ranges::any_of(
+        same_result_flags, [&](const char* name) { return flag.substr(0, flag.find('=')) == name; });
+    if (!has_same_result) text += "\n" + flag;
+  }
   Sha256 hash;
   hash.update(std::as_bytes(std::span(text)));
   run.request_sha256 = hash.hexadecimal();
@@ -106,6 +113,7 @@ Json earlier_record(const MemberRun& run) {
   try {
     Json record = parse_json(read_text(run.record_path), run.record_path);
     const bool is_same = record.is_object() && record.value("request_sha256", Json()) == run.request_sha256;
+    // A failure needs no trajectory. Failures of earlier commands were removed (check_files).
     const bool is_complete = is_failure(record) || std::filesystem::exists(run.options.output, ignored);
     return is_same && is_complete ? record : Json();
   } catch (const InputError&) {  // not a record, which the new one replaces
@@ -154,6 +162,8 @@ bool run_member(const StreamMember& member, const RunOptions& options, double st
   int is_done = group.is_root() && !earlier_record(run).is_null();
   MPI_Bcast(&is_done, 1, MPI_INT, 0, group.get());
   if (is_done) return true;
+  // The record of other flags must not stay beside the trajectory that this run replaces.
+  if (group.is_root()) std::filesystem::remove(run.record_path);
   Request request;
   request.options = run.options;
   request.name = member.source;
@@ -190,6 +200,33 @@ void check_flags(const LayoutStream& layouts, const RunOptions& options) {
                                              "write {{}} once in the name, for the number of the layout, "
                                              "such as -o run-{{}}.h5md",
                                              options.output, layouts.size()));
+  if (!options.output.ends_with(".h5md"))
+    throw InputError("--output",
+                     fmt::format("\"{}\" does not end in .h5md; the record of each layout is written "
+                                 "to the same name with .json in its place",
+                                 options.output));
+}
+
+/// Removes failures of earlier commands, which are tried again. Throws InputError if a file that the stream
+/// will write is one of its inputs, or if a file that a record would replace is no record.
+void check_files(const LayoutStream& layouts, const RunOptions& options) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  for (int number = 1; number <= layouts.size(); ++number) {
+    const MemberRun run = member_run(options, layout_of(layouts.member(number)), number);
+    for (const std::string& path : {run.options.output, run.record_path})
+      for (const std::string& input : options.layouts) require_other_file(input, path);
+    if (!fs::exists(run.record_path, ignored)) continue;
+    const Json found = parse_json(read_text(run.record_path), run.record_path);
+    const Json schema = found.is_object() ? found.value("schema", Json("")) : Json("");
+    if (is_failure(found)) {
+      fs::remove(run.record_path);
+    } else if (!schema.is_string() || !schema.get<std::string>().starts_with("beadswim/run/")) {
+      throw InputError(run.record_path,
+                       "this file is no run record, but the record of a layout would replace "
+                       "it; move it, or give another name with -o");
+    }
+  }
 }
 
 }  // namespace
@@ -258,17 +295,29 @@ int run_stream(const LayoutStream& layouts, const Request& request, double start
     print_to_stderr(fmt::format("{}: {} layouts, {} at a time, {} ranks for each\n", program_name,
                                 layouts.size(), communicator.size() / per_run, per_run));
   options.progress = ProgressStyle::none;
+  std::string fault;
+  if (communicator.is_root()) {
+    try {
+      check_files(layouts, options);
+    } catch (const InputError& error) {
+      fault = error.what();
+    }
+  }
+  throw_together(fault, communicator);
   RecordPrinter printer(layouts, options);
   StreamProgress progress(program_name, layouts.size());
   bool is_stopped = false;
-  {
-    SharedCounters counters(communicator);
+  SharedCounters counters(communicator);
+  try {
     while (!is_stopped) {
       int number = 0;
-      if (group->is_root()) number = static_cast<int>(counters.add(SharedCounters::claimed, 1)) + 1;
+      if (group->is_root() && counters.add(SharedCounters::stopped, 0) > 0) number = layouts.size() + 1;
+      if (group->is_root() && number == 0)
+        number = static_cast<int>(counters.add(SharedCounters::claimed, 1)) + 1;
       MPI_Bcast(&number, 1, MPI_INT, 0, group->get());
       if (number > layouts.size()) break;
       is_stopped = !run_member(layouts.member(number), options, start, *group, failures);
+      if (is_stopped && group->is_root()) counters.add(SharedCounters::stopped, 1);
       if (is_stopped || !group->is_root()) continue;
       const long done = counters.add(SharedCounters::done, 1) + 1;
       if (!communicator.is_root()) continue;
@@ -276,9 +325,11 @@ int run_stream(const LayoutStream& layouts, const Request& request, double start
       if (has_progress) progress.update(static_cast<int>(done));
     }
     MPI_Allreduce(MPI_IN_PLACE, &is_stopped, 1, MPI_C_BOOL, MPI_LOR, communicator.get());
+    if (communicator.is_root()) printer.print_available();
+  } catch (...) {  // not rethrown: the destructor of the counters would wait for the other ranks
+    abort_after_failure(program_name, failures);
   }
   if (communicator.is_root()) {
-    printer.print_available();
     if (printer.warned() > 0)
       print_to_stderr(
           fmt::format("{}: {} of {} layouts have warnings: see the key \"warnings\" of each record\n",
@@ -289,9 +340,12 @@ int run_stream(const LayoutStream& layouts, const Request& request, double start
   const auto [printed, failed] = counts;
   if (is_stopped)
     throw StoppedEarly(
-        fmt::format("stopped by a signal or the time limit after {} of {} layouts; the same "
-                    "command goes on",
+        fmt::format("stopped by a signal or the time limit after the first {} of {} layouts; "
+                    "the same command goes on, and keeps later results, too",
                     printed, layouts.size()));
+  if (printed < layouts.size())
+    throw RunFailed(fmt::format(
+        "the record of layout {} was removed while the stream ran; repeat the command", printed + 1));
   if (failed > 0)
     throw RunFailed(
         fmt::format("{} of {} layouts have no result or stopped early: see the key \"reason\" of "

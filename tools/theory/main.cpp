@@ -124,6 +124,8 @@ int check_layouts(DocumentStream& layouts) {
 
 void predict_stream(DocumentStream& layouts, const TheoryRequest& request,
                     const std::optional<MeasuredStroke>& measured, const CLI::App& program) {
+  for (const std::string& name : request.methods)
+    if (name != "all") find_method(name);  // throws InputError if there is none
   const int count = check_layouts(layouts);
   const auto failure_of = [&](const StreamMember& member, const std::string& reason) {
     const FailureDocument failure{.program = program.get_name(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace beadswim {
 namespace {
@@ -21,9 +22,8 @@ bool belongs_to(const std::vector<CurvePoint>& points, std::size_t i, Part part)
 /// Returns the points of one part of a curve. y is NaN at all points that do not belong to the part, so that
 /// the line has gaps there.
 Series part_of(const std::vector<CurvePoint>& points, Part part, Series style) {
-  const bool has_errors = part == Part::usable && std::ranges::any_of(points, [](const CurvePoint& point) {
-                            return point.error > 0;
-                          });
+  const bool has_errors =
+      std::ranges::any_of(points, [](const CurvePoint& point) { return point.error > 0; });
   for (std::size_t i = 0; i < points.size(); ++i) {
     style.x.push_back(points[i].x);
     style.y.push_back(belongs_to(points, i, part) ? points[i].y : std::numeric_limits<double>::quiet_NaN());
@@ -33,7 +33,7 @@ Series part_of(const std::vector<CurvePoint>& points, Part part, Series style) {
 }
 
 Series faint(Series style, Mark mark) {
-  style.label.clear();
+  style.data_label = std::exchange(style.label, "");
   style.mark = mark;
   style.emphasis = Emphasis::faint;
   return style;

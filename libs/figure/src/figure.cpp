@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "beadswim/core/error.hpp"
 #include "note_block.hpp"
@@ -191,7 +192,7 @@ svg::Point inside_plot(const PlotArea& area, double x, double y) {
 /// Draws bars at points, or the band along each part of a line without gap.
 std::string draw_errors(const PlotArea& area, const Series& series) {
   std::string elements;
-  if (series.errors.empty()) return elements;
+  if (series.errors.empty() || series.emphasis == Emphasis::faint) return elements;
   svg::Stroke bar = line_stroke(series);
   bar.width = faint_line_width;
   bar.dashes = "";
@@ -310,13 +311,18 @@ std::string figure_to_csv(const Figure& figure) {
     const std::string names =
         fmt::format("{},{},{},{}", quoted(panel.y_label.quantity), quoted(panel.y_label.unit),
                     quoted(panel.x_label.quantity), quoted(panel.x_label.unit));
-    std::string label;
-    for (const Series& series : panel.series) {
-      if (!series.label.empty()) label = series.label;  // faint parts follow or precede without a label
-      for (std::size_t i = 0; i < series.x.size(); ++i) {
-        if (!std::isfinite(series.y[i])) continue;
-        lines += fmt::format("{},{},{},{},{}\n", names, quoted(label), series.x[i], series.y[i],
-                             series.errors.empty() ? "" : fmt::format("{}", series.errors[i]));
+    std::set<std::string> written;  // a faint line repeats its neighbours on the plain line
+    for (const Emphasis emphasis : {Emphasis::plain, Emphasis::faint}) {
+      for (const Series& series : panel.series) {
+        if (series.emphasis != emphasis) continue;
+        const std::string label = series.label.empty() ? series.data_label : series.label;
+        for (std::size_t i = 0; i < series.x.size(); ++i) {
+          if (!std::isfinite(series.y[i])) continue;
+          const std::string line =
+              fmt::format("{},{},{},{},{}\n", names, quoted(label), series.x[i], series.y[i],
+                          series.errors.empty() ? "" : fmt::format("{}", series.errors[i]));
+          if (written.insert(line).second || emphasis == Emphasis::plain) lines += line;
+        }
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -60,6 +61,8 @@ std::FILE* copy_of(std::FILE* file, const std::string& source) {
 }  // namespace
 
 DocumentStream::DocumentStream(const std::vector<std::string>& paths) {
+  if (std::count(paths.begin(), paths.end(), "-") > 1)
+    throw InputError("-", "standard input can be read only once; name files for the other inputs");
   for (const std::string& path : paths) {
     File& file = files_.emplace_back(File{.source = path == "-" ? "standard input" : path});
     const bool is_standard = path == "-";
