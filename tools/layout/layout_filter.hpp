@@ -23,7 +23,4 @@ void filter_layouts(const std::vector<std::string>& files, const CLI::App& progr
                     const std::function<void(const StreamMember& member, LayoutDocument layout,
                                              const std::function<void(LayoutDocument)>& emit)>& change);
 
-/// Converts a document of a stream to a layout. Throws InputError if it is invalid.
-LayoutDocument layout_of(const StreamMember& member);
-
 }  // namespace beadswim

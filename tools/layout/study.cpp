@@ -23,18 +23,6 @@ constexpr std::size_t max_values = 1000000;
   throw InputError(over, fmt::format("\"{}\": {}", text, why));
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == separator) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
 /// Returns the number, an angle with the ending deg as radians; nullopt if the text is no finite number.
 std::optional<double> number(const std::string& text) {
   if (text.empty() || !angle()(text).empty()) return std::nullopt;
@@ -88,13 +76,20 @@ std::vector<Json> list(const std::string& text, const std::string& all) {
   return values;
 }
 
+/// Returns the steps of a JSON pointer.
+std::vector<std::string> steps_of(const std::string& pointer) {
+  std::vector<std::string> steps;
+  for (Json::json_pointer rest(pointer); !rest.empty(); rest.pop_back()) steps.push_back(rest.back());
+  std::ranges::reverse(steps);
+  return steps;
+}
+
 /// Returns the place to which a JSON pointer leads. Throws InputError if it leads to nothing or to a list or
 /// an object.
 Json& value_at(Json& layout, const std::string& pointer, const std::string& source) {
   Json* place = &layout;
   std::string done;
-  for (std::string step : split(pointer.substr(1), '/')) {
-    step = Json::json_pointer("/" + step).back();  // with ~0 and ~1 replaced
+  for (const std::string& step : steps_of(pointer)) {
     const std::string where = done.empty() ? source : source + ":" + done;
     if (place->is_object()) {
       if (!place->contains(step)) {
@@ -161,7 +156,7 @@ Variation parse_variation(const std::string& text) {
       refuse(text, "this is no JSON pointer; in its steps, ~ is written as ~0 and / as ~1");
     }
   }
-  const std::vector<std::string> parts = split(values, ':');
+  const std::vector<std::string> parts = split_at(':', values);
   variation.values = parts.size() > 1 ? range(parts, text) : list(values, text);
   return variation;
 }

@@ -9,8 +9,8 @@ namespace beadswim {
 VaryCommand::VaryCommand(CLI::App& program)
     : command_(program.add_subcommand(
           "vary",
-          "Writes layouts that differ in the values of a few quantities (a study), one layout per line. The "
-          "other programs take such a stream wherever they take a layout.")) {
+          "Writes layouts that differ in the values of a few quantities (a study), one layout per line. "
+          "beadswim-run, beadswim-theory and the commands of beadswim-layout take such a stream.")) {
   add_layout_files(*command_, files_);
   command_
       ->add_option("--over", variations_,

@@ -37,10 +37,10 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
   auto read = read_request(argc, argv, communicator);
   if (const int* status = std::get_if<int>(&read)) return *status;
   Request& request = std::get<Request>(read);
-  const LayoutStream layouts(request, communicator);
+  LayoutStream layouts(request, communicator);
   if (layouts.is_stream()) return run_stream(layouts, request, start, communicator, failures);
-  const LayoutDocument document =
-      read_layout(request, layouts.size() == 0 ? std::nullopt : std::optional(layouts.member(1).text));
+  const std::optional<StreamMember> layout = layouts.next();
+  const LayoutDocument document = read_layout(request, layout ? std::optional(layout->text) : std::nullopt);
   if (request.options.plan) return report_plan(document, request, communicator);
   const auto print = [&](const RunRecord& record) {
     write_text("-", dump_json(run_record_to_json(record, request.options.record_provenance())));

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 #include "beadswim/core/error.hpp"
@@ -21,20 +19,8 @@
 namespace beadswim {
 namespace {
 
-constexpr const char* number_mark = "{}";  ///< in --output: place of the number of a layout
-
 /// Flags that change neither results nor records.
 constexpr std::array same_result_flags{"--time-limit", "--progress", "--ranks-per-run", "--checkpoint-every"};
-
-LayoutDocument layout_of(const StreamMember& member) {
-  return layout_from_json(parse_json(member.text, member.source), member.source);
-}
-
-/// Throws InputError on all ranks if `failure`, the message of rank 0, is not empty. Collective.
-void throw_together(std::string failure, const Communicator& communicator) {
-  broadcast(failure, communicator);
-  if (!failure.empty()) throw InputError(failure);
-}
 
 /// Ranks that run one layout together.
 std::unique_ptr<Communicator> group_of(const Communicator& communicator, int ranks_per_run) {
@@ -106,19 +92,15 @@ MemberRun member_run(const RunOptions& options, const LayoutDocument& document, 
   return run;
 }
 
-/// Returns the record of an earlier run of the same layout with the same flags; null if there is none.
+/// Returns the record of an earlier run of the same layout with the same flags, or the failure that this
+/// command has written (check_files() removes earlier ones); null if there is none.
 Json earlier_record(const MemberRun& run) {
   std::error_code ignored;
   if (!std::filesystem::exists(run.record_path, ignored)) return nullptr;
-  try {
-    Json record = parse_json(read_text(run.record_path), run.record_path);
-    const bool is_same = record.is_object() && record.value("request_sha256", Json()) == run.request_sha256;
-    // A failure needs no trajectory. Failures of earlier commands were removed (check_files).
-    const bool is_complete = is_failure(record) || std::filesystem::exists(run.options.output, ignored);
-    return is_same && is_complete ? record : Json();
-  } catch (const InputError&) {  // not a record, which the new one replaces
-    return nullptr;
-  }
+  Json record = parse_json(read_text(run.record_path), run.record_path);
+  const bool is_same = record.value("request_sha256", Json()) == run.request_sha256;
+  const bool is_complete = is_failure(record) || std::filesystem::exists(run.options.output, ignored);
+  return is_same && is_complete ? record : Json();
 }
 
 void write_record(Json record, const MemberRun& run) {
@@ -129,7 +111,7 @@ void write_record(Json record, const MemberRun& run) {
 /// Prints the records on rank 0, in the order of the layouts, as far as they are there.
 class RecordPrinter {
  public:
-  RecordPrinter(const LayoutStream& layouts, const RunOptions& options)
+  RecordPrinter(const StoredLayouts& layouts, const RunOptions& options)
       : layouts_(layouts), options_(options) {}
 
   void print_available() {
@@ -148,7 +130,7 @@ class RecordPrinter {
   int warned() const { return warned_; }
 
  private:
-  const LayoutStream& layouts_;
+  const StoredLayouts& layouts_;
   const RunOptions& options_;
   int printed_ = 0, failed_ = 0, warned_ = 0;
 };
@@ -192,7 +174,7 @@ int ranks_per_run(const RunOptions& options, int layouts, int ranks) {
                                                   *options.ranks_per_run, ranks));
 }
 
-void check_flags(const LayoutStream& layouts, const RunOptions& options) {
+void check_flags(const StoredLayouts& layouts, const RunOptions& options) {
   refuse_flags(options, {"--restart", "--plan"}, "is for a single layout; leave it out");
   const std::size_t mark = options.output.find(number_mark);
   if (mark == std::string::npos || options.output.find(number_mark, mark + 1) != std::string::npos)
@@ -209,7 +191,7 @@ void check_flags(const LayoutStream& layouts, const RunOptions& options) {
 
 /// Removes failures of earlier commands, which are tried again. Throws InputError if a file that the stream
 /// will write is one of its inputs, or if a file that a record would replace is no record.
-void check_files(const LayoutStream& layouts, const RunOptions& options) {
+void check_files(const StoredLayouts& layouts, const RunOptions& options) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   for (int number = 1; number <= layouts.size(); ++number) {
@@ -229,67 +211,70 @@ void check_files(const LayoutStream& layouts, const RunOptions& options) {
   }
 }
 
+/// Runs the layouts that no other group has begun, and prints the records that are there. Returns true if a
+/// signal or the time limit stopped a run. If a rank fails, all ranks of the program are aborted. Collective.
+bool run_members(const StoredLayouts& layouts, const RunOptions& options, double start,
+                 RecordPrinter& printer, bool has_progress, const Communicator& group,
+                 const Communicator& communicator, const Communicator& failures) {
+  StreamProgress progress(program_name, layouts.size());
+  bool is_stopped = false;
+  SharedCounters counters(communicator);
+  try {
+    while (!is_stopped) {
+      int number = 0;
+      if (group.is_root()) {
+        const bool is_end = counters.add(SharedCounters::stopped, 0) > 0;
+        number = is_end ? layouts.size() + 1 : static_cast<int>(counters.add(SharedCounters::claimed, 1)) + 1;
+      }
+      MPI_Bcast(&number, 1, MPI_INT, 0, group.get());
+      if (number > layouts.size()) break;
+      is_stopped = !run_member(layouts.member(number), options, start, group, failures);
+      if (!group.is_root()) continue;
+      const long done = counters.add(is_stopped ? SharedCounters::stopped : SharedCounters::done, 1) + 1;
+      if (is_stopped || !communicator.is_root()) continue;
+      printer.print_available();
+      if (has_progress) progress.update(static_cast<int>(done));
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &is_stopped, 1, MPI_C_BOOL, MPI_LOR, communicator.get());
+    if (communicator.is_root()) printer.print_available();
+  } catch (...) {  // not rethrown: the destructor of the counters would wait for the other ranks
+    abort_after_failure(program_name, failures);
+  }
+  return is_stopped;
+}
+
+/// Throws StoppedEarly or RunFailed on all ranks if not all layouts have a result. Collective.
+void report(const RecordPrinter& printer, int layouts, bool is_stopped, const Communicator& communicator) {
+  if (communicator.is_root() && printer.warned() > 0)
+    print_to_stderr(
+        fmt::format("{}: {} of {} layouts have warnings: see the key \"warnings\" of each record\n",
+                    program_name, printer.warned(), layouts));
+  std::array<int, 2> counts{printer.printed(), printer.failed()};
+  MPI_Bcast(counts.data(), 2, MPI_INT, 0, communicator.get());
+  const auto [printed, failed] = counts;
+  if (is_stopped)
+    throw StoppedEarly(
+        fmt::format("stopped by a signal or the time limit after the first {} of {} layouts; "
+                    "the same command goes on, and keeps later results, too",
+                    printed, layouts));
+  if (printed < layouts)
+    throw RunFailed(fmt::format(
+        "the record of layout {} was removed while the stream ran; repeat the command", printed + 1));
+  if (failed > 0)
+    throw RunFailed(
+        fmt::format("{} of {} layouts have no result or stopped early: see the key \"reason\" of "
+                    "the records whose \"status\" is not \"finished\"",
+                    failed, layouts));
+}
+
 }  // namespace
 
-LayoutStream::LayoutStream(const Request& request, const Communicator& communicator) {
-  const RunOptions& options = request.options;
-  std::string failure;
-  std::optional<DocumentStream> stream;
-  if (communicator.is_root() && !(request.checkpoint && !options.given.contains("LAYOUT"))) {
-    try {
-      stream.emplace(options.layouts);
-      is_stream_ = !stream->is_single() || options.output.find(number_mark) != std::string::npos;
-      for (std::optional<StreamMember> member; is_stream_ && (member = stream->next());) layout_of(*member);
-      stream->rewind();
-    } catch (const InputError& error) {
-      failure = error.what();
-    }
-  }
-  throw_together(failure, communicator);
-  MPI_Bcast(&is_stream_, 1, MPI_C_BOOL, 0, communicator.get());
-  file_.reset(std::tmpfile());
-  if (!file_)
-    throw SolverError(
-        fmt::format("a temporary file cannot be created: {}; set TMPDIR to a folder with free "
-                    "space",
-                    std::strerror(errno)));
-  for (;;) {
-    std::optional<StreamMember> member = stream ? stream->next() : std::nullopt;
-    int is_left = member.has_value();
-    MPI_Bcast(&is_left, 1, MPI_INT, 0, communicator.get());
-    if (!is_left) break;
-    if (!member) member.emplace();
-    for (std::string* text : {&member->text, &member->source}) broadcast(*text, communicator);
-    add(*member);
-  }
-}
-
-void LayoutStream::add(const StreamMember& member) {
-  members_.push_back({.start = bytes_, .source = member.source});
-  bytes_ += std::ssize(member.text);
-  if (std::fwrite(member.text.data(), 1, member.text.size(), file_.get()) != member.text.size())
-    throw SolverError(
-        fmt::format("a temporary file cannot be written: {}; set TMPDIR to a folder with free "
-                    "space",
-                    std::strerror(errno)));
-}
-
-StreamMember LayoutStream::member(int number) const {
-  const Member& member = members_.at(number - 1);
-  const std::int64_t end = number < size() ? members_[number].start : bytes_;
-  StreamMember read{.text = std::string(end - member.start, '\0'), .source = member.source, .number = number};
-  if (std::fseek(file_.get(), member.start, SEEK_SET) != 0 ||
-      std::fread(read.text.data(), 1, read.text.size(), file_.get()) != read.text.size())
-    throw SolverError("a temporary file cannot be read; set TMPDIR to a folder on another disk");
-  return read;
-}
-
-int run_stream(const LayoutStream& layouts, const Request& request, double start,
-               const Communicator& communicator, const Communicator& failures) {
+int run_stream(LayoutStream& stream, const Request& request, double start, const Communicator& communicator,
+               const Communicator& failures) {
+  const StoredLayouts layouts(stream);
   RunOptions options = request.options;
   check_flags(layouts, options);
   const int per_run = ranks_per_run(options, layouts.size(), communicator.size());
-  const std::unique_ptr<Communicator> group = group_of(communicator, per_run);
   const bool has_progress = communicator.is_root() && options.progress != ProgressStyle::none;
   if (has_progress)
     print_to_stderr(fmt::format("{}: {} layouts, {} at a time, {} ranks for each\n", program_name,
@@ -304,53 +289,11 @@ int run_stream(const LayoutStream& layouts, const Request& request, double start
     }
   }
   throw_together(fault, communicator);
+  const std::unique_ptr<Communicator> group = group_of(communicator, per_run);
   RecordPrinter printer(layouts, options);
-  StreamProgress progress(program_name, layouts.size());
-  bool is_stopped = false;
-  SharedCounters counters(communicator);
-  try {
-    while (!is_stopped) {
-      int number = 0;
-      if (group->is_root() && counters.add(SharedCounters::stopped, 0) > 0) number = layouts.size() + 1;
-      if (group->is_root() && number == 0)
-        number = static_cast<int>(counters.add(SharedCounters::claimed, 1)) + 1;
-      MPI_Bcast(&number, 1, MPI_INT, 0, group->get());
-      if (number > layouts.size()) break;
-      is_stopped = !run_member(layouts.member(number), options, start, *group, failures);
-      if (is_stopped && group->is_root()) counters.add(SharedCounters::stopped, 1);
-      if (is_stopped || !group->is_root()) continue;
-      const long done = counters.add(SharedCounters::done, 1) + 1;
-      if (!communicator.is_root()) continue;
-      printer.print_available();
-      if (has_progress) progress.update(static_cast<int>(done));
-    }
-    MPI_Allreduce(MPI_IN_PLACE, &is_stopped, 1, MPI_C_BOOL, MPI_LOR, communicator.get());
-    if (communicator.is_root()) printer.print_available();
-  } catch (...) {  // not rethrown: the destructor of the counters would wait for the other ranks
-    abort_after_failure(program_name, failures);
-  }
-  if (communicator.is_root()) {
-    if (printer.warned() > 0)
-      print_to_stderr(
-          fmt::format("{}: {} of {} layouts have warnings: see the key \"warnings\" of each record\n",
-                      program_name, printer.warned(), layouts.size()));
-  }
-  std::array<int, 2> counts{printer.printed(), printer.failed()};
-  MPI_Bcast(counts.data(), 2, MPI_INT, 0, communicator.get());
-  const auto [printed, failed] = counts;
-  if (is_stopped)
-    throw StoppedEarly(
-        fmt::format("stopped by a signal or the time limit after the first {} of {} layouts; "
-                    "the same command goes on, and keeps later results, too",
-                    printed, layouts.size()));
-  if (printed < layouts.size())
-    throw RunFailed(fmt::format(
-        "the record of layout {} was removed while the stream ran; repeat the command", printed + 1));
-  if (failed > 0)
-    throw RunFailed(
-        fmt::format("{} of {} layouts have no result or stopped early: see the key \"reason\" of "
-                    "the records whose \"status\" is not \"finished\"",
-                    failed, layouts.size()));
+  const bool is_stopped =
+      run_members(layouts, options, start, printer, has_progress, *group, communicator, failures);
+  report(printer, layouts.size(), is_stopped, communicator);
   return static_cast<int>(ExitStatus::fine);
 }
 

@@ -66,7 +66,6 @@ std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
       ->type_name("E")
       ->check(finite_positive())
       ->capture_default_str();
-  begin_group(*program, "Input");
   begin_group(*program, "Streams of layouts");
   program
       ->add_option("--jobs", request.jobs,
@@ -105,10 +104,6 @@ void print_warnings(const PredictionDocument& predicted) {
   for (const std::string& warning : predicted.warnings)
     print_to_stderr("beadswim-theory: warning: " + warning + "\n");
   print_left_out_methods(predicted.left_out);
-}
-
-LayoutDocument layout_of(const StreamMember& member) {
-  return layout_from_json(parse_json(member.text, member.source), member.source);
 }
 
 /// What the work on a layout of a stream found, as bits.

@@ -9,48 +9,14 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/temporary_file.hpp"
 
 extern char** environ;
 
 namespace beadswim {
 namespace {
-
-/// Closes a file of std::tmpfile, which also removes it.
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using TemporaryFile = std::unique_ptr<std::FILE, CloseFile>;
-
-TemporaryFile temporary_file(const std::string& content) {
-  TemporaryFile file(std::tmpfile());
-  if (!file)
-    throw SolverError(
-        fmt::format("a temporary file for the picture cannot be created: {}; free disk space for "
-                    "temporary files, or write .svg",
-                    std::strerror(errno)));
-  const std::size_t written = std::fwrite(content.data(), 1, content.size(), file.get());
-  if (written != content.size() || std::fflush(file.get()) != 0) {
-    throw SolverError(
-        fmt::format("the temporary file for the picture cannot be written: {}; free disk space for "
-                    "temporary files, or write .svg",
-                    std::strerror(errno)));
-  }
-  std::rewind(file.get());
-  return file;
-}
-
-std::string content_of(std::FILE* file) {
-  std::rewind(file);
-  std::string content;
-  std::array<char, 65536> chunk{};
-  while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file)) {
-    content.append(chunk.data(), count);
-  }
-  return content;
-}
 
 /// Runs a command with `input` as its stdin and `output` as its stdout. Returns its exit status, or -1 if a
 /// signal ended it. `what_for` is the place that an error message names.
@@ -77,7 +43,9 @@ int run_filter(const std::string& what_for, char* const* command, std::FILE* inp
 }  // namespace
 
 std::string converted_svg(const std::string& svg, const std::string& path) {
-  const TemporaryFile input = temporary_file(svg), output = temporary_file("");
+  const OpenFile input = temporary_file(), output = temporary_file();
+  append(input, svg);
+  std::rewind(input.get());
   const bool is_pdf = path.ends_with(".pdf");
   std::string program = "rsvg-convert", zoom = is_pdf ? "--zoom=1" : "--zoom=2",
               format = is_pdf ? "--format=pdf" : "--format=png";
@@ -86,7 +54,9 @@ std::string converted_svg(const std::string& svg, const std::string& path) {
     throw SolverError(
         fmt::format("{}: the program rsvg-convert failed with status {}; write .svg instead", path, status));
   }
-  return content_of(output.get());
+  std::string picture;
+  for (std::string part; !(part = read_bytes(output, std::ssize(picture), 1 << 16)).empty();) picture += part;
+  return picture;
 }
 
 }  // namespace beadswim

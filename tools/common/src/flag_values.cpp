@@ -140,14 +140,18 @@ CLI::Validator one_of(std::vector<std::string> words) {
   return CLI::Validator(fault, "");
 }
 
-std::vector<std::string> split_at_commas(const std::string& text) {
+std::vector<std::string> split_at(char separator, const std::string& text) {
   std::vector<std::string> parts;
   std::size_t start = 0;
-  for (std::size_t comma; (comma = text.find(',', start)) != std::string::npos; start = comma + 1) {
-    parts.push_back(text.substr(start, comma - start));
+  for (std::size_t end; (end = text.find(separator, start)) != std::string::npos; start = end + 1) {
+    parts.push_back(text.substr(start, end - start));
   }
   parts.push_back(text.substr(start));
   return parts;
+}
+
+std::vector<std::string> split_at_commas(const std::string& text) {
+  return split_at(',', text);
 }
 
 std::vector<double> parse_numbers(const std::string& text) {

@@ -178,9 +178,12 @@ LayoutDocument layout_from_json(const Json& json, const std::string& source) {
   return document;
 }
 
+LayoutDocument layout_of(const StreamMember& member) {
+  return layout_from_json(parse_json(member.text, member.source), member.source);
+}
+
 LayoutDocument read_layout(const std::string& path) {
-  const std::string source = path == "-" ? "standard input" : path;
-  return layout_from_json(parse_json(read_text(path), source), source);
+  return layout_of({.text = read_text(path), .source = path == "-" ? "standard input" : path});
 }
 
 Json layout_to_json(const LayoutDocument& document) {

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "beadswim/core/names.hpp"
 #include "beadswim/documents/run_record_document.hpp"

@@ -4,10 +4,10 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/io/json.hpp"
@@ -19,6 +19,11 @@ bool is_blank(const std::string& line) {
   return line.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
+[[noreturn]] void refuse_unreadable(const std::string& source) {
+  throw InputError(source, fmt::format("the file cannot be read: {}; name a file, or - for standard input",
+                                       std::strerror(errno)));
+}
+
 /// Reads the next line, with its end. Returns false at the end of the file. Throws InputError if the file
 /// cannot be read.
 bool read_line(std::FILE* file, std::string& line, const std::string& source) {
@@ -27,9 +32,7 @@ bool read_line(std::FILE* file, std::string& line, const std::string& source) {
   errno = 0;
   const ssize_t length = ::getline(&text, &capacity, file);
   const std::unique_ptr<char, decltype(&std::free)> owner(text, &std::free);
-  if (length < 0 && std::ferror(file))
-    throw InputError(source, fmt::format("the file cannot be read: {}; name a file, or - for standard input",
-                                         std::strerror(errno)));
+  if (length < 0 && std::ferror(file)) refuse_unreadable(source);
   line.assign(text ? text : "", static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
   return length >= 0;
 }
@@ -40,22 +43,26 @@ bool read_line_with_text(std::FILE* file, std::string& line, const std::string& 
   return false;
 }
 
-/// Returns an unnamed temporary file with the rest of a file, at its beginning.
-std::FILE* copy_of(std::FILE* file, const std::string& source) {
-  std::FILE* const copy = std::tmpfile();
-  std::array<char, 1 << 16> part;
-  bool is_written = copy != nullptr;
-  for (std::size_t size; is_written && (size = std::fread(part.data(), 1, part.size(), file)) > 0;)
-    is_written = std::fwrite(part.data(), 1, size, copy) == size;
-  if (is_written && std::fflush(copy) == 0 && !std::ferror(file)) {
-    std::rewind(copy);
-    return copy;
-  }
-  const std::string reason = std::strerror(errno);
-  if (copy) std::fclose(copy);
-  throw InputError(source, fmt::format("the input cannot be copied to a temporary file: {}; write it to a "
-                                       "file and name this file",
-                                       reason));
+/// Returns a temporary file with the rest of a file, at its beginning.
+OpenFile copy_of(std::FILE* file, const std::string& source) {
+  OpenFile copy = temporary_file();
+  std::string part(1 << 16, '\0');
+  while (const std::size_t size = std::fread(part.data(), 1, part.size(), file))
+    append(copy, part.substr(0, size));
+  if (std::ferror(file)) refuse_unreadable(source);
+  std::rewind(copy.get());
+  return copy;
+}
+
+/// Opens a file that can be read several times: the file itself, or a copy of standard input or of a pipe.
+OpenFile open_rereadable(const std::string& path, const std::string& source) {
+  if (path == "-") return copy_of(stdin, source);
+  OpenFile file(std::fopen(path.c_str(), "rb"));
+  struct stat status {};
+  if (!file || ::fstat(::fileno(file.get()), &status) != 0) refuse_unreadable(source);
+  if (S_ISDIR(status.st_mode))
+    throw InputError(source, "this path is a folder; name a file, or - for standard input");
+  return S_ISREG(status.st_mode) ? std::move(file) : copy_of(file.get(), source);
 }
 
 }  // namespace
@@ -65,19 +72,7 @@ DocumentStream::DocumentStream(const std::vector<std::string>& paths) {
     throw InputError("-", "standard input can be read only once; name files for the other inputs");
   for (const std::string& path : paths) {
     File& file = files_.emplace_back(File{.source = path == "-" ? "standard input" : path});
-    const bool is_standard = path == "-";
-    if (!is_standard) file.stream.reset(std::fopen(path.c_str(), "rb"));
-    struct stat status {};
-    const bool is_open = is_standard || (file.stream && ::fstat(::fileno(file.stream.get()), &status) == 0);
-    if (!is_open || S_ISDIR(status.st_mode))
-      throw InputError(path,
-                       S_ISDIR(status.st_mode)
-                           ? "this path is a folder; name a file, or - for standard input"
-                           : fmt::format("the file cannot be read: {}; name a file, or - for standard input",
-                                         std::strerror(errno)));
-    if (is_standard) file.stream.reset(copy_of(stdin, file.source));
-    if (!is_standard && !S_ISREG(status.st_mode)) file.stream.reset(copy_of(file.stream.get(), file.source));
-
+    file.stream = open_rereadable(path, file.source);
     std::string first, second;
     const bool has_first = read_line_with_text(file.stream.get(), first, file.source);
     const bool has_second = has_first && read_line_with_text(file.stream.get(), second, file.source);

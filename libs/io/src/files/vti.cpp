@@ -10,6 +10,7 @@
 #include <span>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/temporary_file.hpp"
 #include "beadswim/io/base64.hpp"
 #include "beadswim/io/json.hpp"
 
@@ -17,10 +18,6 @@ namespace beadswim {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the header below says LittleEndian");
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 
 /// Writes text without a check for errors. The caller checks with ferror at the end of the file.
 void put(std::FILE* file, const std::string& text) {
@@ -55,7 +52,7 @@ void write_field(std::FILE* file, const Index3& cells, const VtiField& field) {
 void write_vti(const std::string& path, const VtiCells& grid, const std::vector<VtiField>& fields) {
   const Index3& cells = grid.cells;
   const std::string part = path + ".part";
-  std::unique_ptr<std::FILE, CloseFile> file(std::fopen(part.c_str(), "wb"));
+  OpenFile file(std::fopen(part.c_str(), "wb"));
   if (!file) throw SolverError(fmt::format("{} cannot be created: {}", path, std::strerror(errno)));
   const std::string extent = fmt::format("0 {} 0 {} 0 {}", cells[0], cells[1], cells[2]);
   put(file.get(),

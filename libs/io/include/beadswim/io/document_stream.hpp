@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstdio>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "beadswim/core/temporary_file.hpp"
 
 // Streams of JSON documents: files with one document each, or with one document per line (JSON Lines), one
 // after the other.
@@ -38,12 +38,9 @@ class DocumentStream {
   bool is_lines() const { return is_lines_; }
 
  private:
-  struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   struct File {
     std::string source;
-    std::unique_ptr<std::FILE, CloseFile> stream{};
+    OpenFile stream{};
     bool is_lines = false, has_several = false;
   };
 

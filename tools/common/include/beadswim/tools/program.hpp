@@ -71,7 +71,8 @@ CLI::Validator one_of(std::vector<std::string> words);
 /// numbers of values; if empty, every number is allowed. `each`: validator of one value.
 CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each);
 
-/// Returns the parts of a text between its commas. An empty text has one part, which is empty.
+/// Returns the parts of a text between its separators. An empty text has one part, which is empty.
+std::vector<std::string> split_at(char separator, const std::string& text);
 std::vector<std::string> split_at_commas(const std::string& text);
 
 /// Return the numbers in a text of numbers joined by commas. The validator number_list() must have accepted

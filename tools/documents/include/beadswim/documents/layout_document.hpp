@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "beadswim/io/document_stream.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/scene/layout.hpp"
 
@@ -18,6 +19,9 @@ struct LayoutDocument {
 /// fields: unknown types, duplicate ids, overlaps, beads outside the box, and arms shorter than the beads
 /// that they join. `source`: name of the document in messages. Throws InputError with a list of all faults.
 LayoutDocument layout_from_json(const Json& document, const std::string& source);
+
+/// Converts a document of a stream to a layout. Throws the errors of layout_from_json() and parse_json().
+LayoutDocument layout_of(const StreamMember& member);
 
 /// Reads a layout from a file, or from stdin for "-". Throws InputError.
 LayoutDocument read_layout(const std::string& path);

@@ -1,0 +1,41 @@
+#include "beadswim/core/temporary_file.hpp"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+[[noreturn]] void fail(const char* problem) {
+  throw SolverError(fmt::format("a temporary file cannot be {}: {}; free disk space for temporary files",
+                                problem, std::strerror(errno)));
+}
+
+}  // namespace
+
+OpenFile temporary_file() {
+  OpenFile file(std::tmpfile());
+  if (!file) fail("created");
+  return file;
+}
+
+void append(const OpenFile& file, const std::string& text) {
+  const bool is_at_end = std::fseek(file.get(), 0, SEEK_END) == 0;
+  if (!is_at_end || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
+      std::fflush(file.get()) != 0)
+    fail("written");
+}
+
+std::string read_bytes(const OpenFile& file, std::int64_t start, std::int64_t bytes) {
+  std::string text(bytes, '\0');
+  if (std::fseek(file.get(), start, SEEK_SET) != 0) fail("read");
+  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  if (std::ferror(file.get())) fail("read");
+  return text;
+}
+
+}  // namespace beadswim
