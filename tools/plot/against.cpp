@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <set>
 #include <span>
@@ -20,25 +19,18 @@
 // marks with the uncertainty that they state, predictions as curves with theirs.
 
 namespace beadswim {
-namespace {
 
-enum class Result { velocity, efficiency, power, arm_amplitudes, angular_velocity };
-
-}  // namespace
+enum class StudyResult { velocity, efficiency, power, arm_amplitudes, angular_velocity };
 
 template <>
-inline constexpr auto name_table<Result> =
-    std::to_array<NamedValue<Result>>({{Result::velocity, "velocity"},
-                                       {Result::efficiency, "efficiency"},
-                                       {Result::power, "power"},
-                                       {Result::arm_amplitudes, "arm_amplitudes"},
-                                       {Result::angular_velocity, "angular_velocity"}});
-
-namespace {
+inline constexpr auto name_table<StudyResult> =
+    std::to_array<NamedValue<StudyResult>>({{StudyResult::velocity, "velocity"},
+                                            {StudyResult::efficiency, "efficiency"},
+                                            {StudyResult::power, "power"},
+                                            {StudyResult::arm_amplitudes, "arm_amplitudes"},
+                                            {StudyResult::angular_velocity, "angular_velocity"}});
 
 enum class LogAxes { none, x, y, xy };
-
-}  // namespace
 
 template <>
 inline constexpr auto name_table<LogAxes> = std::to_array<NamedValue<LogAxes>>(
@@ -48,28 +40,27 @@ namespace {
 
 struct AgainstFlags {
   std::string x, group_by, cycle = "last";
-  Result y = Result::velocity;
+  StudyResult y = StudyResult::velocity;
   LogAxes log = LogAxes::none;
   MethodChoice methods;
-  int group_digits = 4;  ///< of the values of --group-by in labels
 };
 
-AxisLabel label_of(Result result, const Units& units) {
+AxisLabel label_of(StudyResult result, const Units& units) {
   const auto unit = [&](const std::string& named, const std::string& lattice) {
     return units.lattice ? lattice : named;
   };
   switch (result) {
-    case Result::velocity:
+    case StudyResult::velocity:
       return {"velocity", velocity_unit(units)};
-    case Result::efficiency:
+    case StudyResult::efficiency:
       return {"Lighthill efficiency"};
-    case Result::power: {
+    case StudyResult::power: {
       const std::string &mass = units.mass.name, &length = units.length.name, &time = units.time.name;
       return {"mean power of the drives", unit(fmt::format("{} {}²/{}³", mass, length, time), "")};
     }
-    case Result::arm_amplitudes:
+    case StudyResult::arm_amplitudes:
       return {"arm amplitude", length_unit(units)};
-    case Result::angular_velocity:
+    case StudyResult::angular_velocity:
       return {"angular velocity", unit("rad/" + units.time.name, "")};
   }
   return {};
@@ -98,28 +89,29 @@ std::vector<Value> with_errors(const ComparedValues& values, const ComparedValue
   return all;
 }
 
-std::optional<ComparedQuantity> compared(Result result) {
+std::optional<ComparedQuantity> compared(StudyResult result) {
   switch (result) {
-    case Result::velocity:
+    case StudyResult::velocity:
       return ComparedQuantity::velocity;
-    case Result::arm_amplitudes:
+    case StudyResult::arm_amplitudes:
       return ComparedQuantity::arm_amplitudes;
-    case Result::angular_velocity:
+    case StudyResult::angular_velocity:
       return ComparedQuantity::angular_velocity;
     default:
       return std::nullopt;
   }
 }
 
-std::vector<Value> values_of(const PlottedPrediction& plotted, Result result) {
+std::vector<Value> values_of(const PlottedPrediction& plotted, StudyResult result) {
   const Prediction& prediction = plotted.prediction;
   if (const auto quantity = compared(result))
     return with_errors(swimming_of(prediction), uncertainties_of(prediction), *quantity);
-  const std::optional<double>& value = result == Result::power ? prediction.power : prediction.efficiency;
+  const std::optional<double>& value =
+      result == StudyResult::power ? prediction.power : prediction.efficiency;
   return value ? std::vector<Value>{{.part = "", .value = *value}} : std::vector<Value>{};
 }
 
-std::vector<Value> values_of(const PlottedRun& run, const SwimmerRecord& swimmer, Result result,
+std::vector<Value> values_of(const PlottedRun& run, const SwimmerRecord& swimmer, StudyResult result,
                              const CycleChoice& cycle) {
   if (const auto quantity = compared(result))
     return with_errors(swimming_of(run.record, swimmer, cycle, run.source), uncertainties_of(swimmer, cycle),
@@ -127,7 +119,7 @@ std::vector<Value> values_of(const PlottedRun& run, const SwimmerRecord& swimmer
   double sum = 0;
   const std::span<const CycleStatistics> cycles = select_cycles(swimmer.cycles, cycle, run.source);
   for (const CycleStatistics& each : cycles) {
-    const std::optional<double>& value = result == Result::power ? each.power : each.efficiency;
+    const std::optional<double>& value = result == StudyResult::power ? each.power : each.efficiency;
     if (!value) return {};
     sum += *value;
   }
@@ -172,13 +164,13 @@ int group_digits(const PlotInputs& inputs, const std::string& name) {
   return 17;
 }
 
-/// Returns ", NAME = VALUE" for the groups of --group-by.
-std::string group_label(const Json& study, const AgainstFlags& flags, const std::string& source) {
+/// Returns ", NAME = VALUE" for the groups of --group-by, with `digits` digits of numbers.
+std::string group_label(const Json& study, const AgainstFlags& flags, int digits, const std::string& source) {
   if (flags.group_by.empty()) return "";
   const Json value = study_value(study, flags.group_by, source, "--group-by");
-  return fmt::format(", {} = {}", flags.group_by,
-                     value.is_string() ? value.get<std::string>()
-                                       : fmt::format("{:.{}g}", value.get<double>(), flags.group_digits));
+  return fmt::format(
+      ", {} = {}", flags.group_by,
+      value.is_string() ? value.get<std::string>() : fmt::format("{:.{}g}", value.get<double>(), digits));
 }
 
 std::string part_label(const std::string& part) {
@@ -194,14 +186,16 @@ List& list_named(std::vector<List>& named, const std::string& label) {
 
 std::vector<PointGroup> run_points(const PlotInputs& inputs, const AgainstFlags& flags) {
   std::vector<PointGroup> groups;
+  const int digits = group_digits(inputs, flags.group_by);
   const CycleChoice cycle = parse_cycle_choice(flags.cycle);
   for (const RunGroup& setting : runs_by_setting(inputs)) {
     for (const PlottedRun* run : setting.runs) {
       const Json study = run->record.study.value_or(Json());
       for (const SwimmerRecord& swimmer : run->record.swimmers) {
         for (const Value& value : values_of(*run, swimmer, flags.y, cycle)) {
-          PointGroup& group = list_named(
-              groups, setting.label + group_label(study, flags, run->source) + part_label(value.part));
+          PointGroup& group =
+              list_named(groups, setting.label + group_label(study, flags, digits, run->source) +
+                                     part_label(value.part));
           group.x.push_back(abscissa(study, flags, run->source));
           group.y.push_back(value.value);
           group.errors.push_back(value.error);
@@ -214,12 +208,13 @@ std::vector<PointGroup> run_points(const PlotInputs& inputs, const AgainstFlags&
 
 std::vector<Curve> prediction_curves(const PlotInputs& inputs, const AgainstFlags& flags) {
   std::vector<Curve> curves;
+  const int digits = group_digits(inputs, flags.group_by);
   for (const std::string& method : inputs.methods) {
     for (const PlottedPrediction& plotted : inputs.predictions) {
       if (plotted.prediction.method != method) continue;
       for (const Value& value : values_of(plotted, flags.y)) {
-        Curve& curve = list_named(
-            curves, method + group_label(plotted.study, flags, plotted.source) + part_label(value.part));
+        Curve& curve = list_named(curves, method + group_label(plotted.study, flags, digits, plotted.source) +
+                                              part_label(value.part));
         curve.points.push_back({.x = abscissa(plotted.study, flags, plotted.source),
                                 .y = value.value,
                                 .usable = plotted.prediction.usable,
@@ -271,9 +266,7 @@ Drawing add_against_flags(CLI::App& command) {
   add_cycle(command, flags->cycle);
   return [flags](const PlotFiles& files) {
     parse_cycle_choice(flags->cycle);
-    const PlotInputs inputs = read_plot_inputs(files.inputs, flags->methods);
-    flags->group_digits = group_digits(inputs, flags->group_by);
-    return against_figure(inputs, *flags);
+    return against_figure(read_plot_inputs(files.inputs, flags->methods), *flags);
   };
 }
 

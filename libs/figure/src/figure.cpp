@@ -206,9 +206,8 @@ std::string draw_errors(const PlotArea& area, const Series& series) {
     lower.clear();
   };
   for (std::size_t i = 0; i < series.x.size(); ++i) {
-    const bool is_drawn = std::isfinite(area.at(series.x[i], series.y[i]).x) &&
-                          std::isfinite(area.at(series.x[i], series.y[i]).y);
-    if (!is_drawn) {
+    const svg::Point point = area.at(series.x[i], series.y[i]);
+    if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
       close_band();
       continue;
     }
@@ -284,6 +283,27 @@ double page_width(const Figure& figure) {
   return std::ceil(right + margin);
 }
 
+std::string quoted(const std::string& text) {
+  std::string all = "\"";
+  for (const char c : text) all += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return all + "\"";
+}
+
+/// Returns a line of comma-separated values for each finite point of the series.
+std::vector<std::string> csv_lines(const Panel& panel, const Series& series) {
+  const std::string names =
+      fmt::format("{},{},{},{},{}", quoted(panel.y_label.quantity), quoted(panel.y_label.unit),
+                  quoted(panel.x_label.quantity), quoted(panel.x_label.unit),
+                  quoted(series.label.empty() ? series.data_label : series.label));
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    if (!std::isfinite(series.y[i])) continue;
+    const std::string error = series.errors.empty() ? "" : fmt::format("{}", series.errors[i]);
+    lines.push_back(fmt::format("{},{},{},{}\n", names, series.x[i], series.y[i], error));
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::string figure_to_svg(const Figure& figure) {
@@ -301,28 +321,14 @@ std::string figure_to_svg(const Figure& figure) {
 }
 
 std::string figure_to_csv(const Figure& figure) {
-  const auto quoted = [](const std::string& text) {
-    std::string all = "\"";
-    for (const char c : text) all += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return all + "\"";
-  };
   std::string lines = "y_name,y_unit,x_name,x_unit,series,x,y,y_error\n";
   for (const Panel& panel : figure.panels) {
-    const std::string names =
-        fmt::format("{},{},{},{}", quoted(panel.y_label.quantity), quoted(panel.y_label.unit),
-                    quoted(panel.x_label.quantity), quoted(panel.x_label.unit));
     std::set<std::string> written;  // a faint line repeats its neighbours on the plain line
     for (const Emphasis emphasis : {Emphasis::plain, Emphasis::faint}) {
       for (const Series& series : panel.series) {
         if (series.emphasis != emphasis) continue;
-        const std::string label = series.label.empty() ? series.data_label : series.label;
-        for (std::size_t i = 0; i < series.x.size(); ++i) {
-          if (!std::isfinite(series.y[i])) continue;
-          const std::string line =
-              fmt::format("{},{},{},{},{}\n", names, quoted(label), series.x[i], series.y[i],
-                          series.errors.empty() ? "" : fmt::format("{}", series.errors[i]));
+        for (const std::string& line : csv_lines(panel, series))
           if (written.insert(line).second || emphasis == Emphasis::plain) lines += line;
-        }
       }
     }
   }

@@ -42,6 +42,15 @@ std::string number(double value) {
   return fmt::format("{:.2f}", rounded == 0 ? 0.0 : rounded);
 }
 
+/// Returns the points as the value of the attribute "points".
+std::string coordinates(const std::vector<Point>& points) {
+  std::string list;
+  for (const Point& point : points) {
+    list += fmt::format("{}{},{}", list.empty() ? "" : " ", number(point.x), number(point.y));
+  }
+  return list;
+}
+
 std::string opacity_attribute(double opacity) {
   return opacity == 1 ? "" : fmt::format(R"( opacity="{}")", number(opacity));
 }
@@ -108,19 +117,12 @@ std::string line(Point from, Point to, const Stroke& stroke) {
 }
 
 std::string polyline(const std::vector<Point>& points, const Stroke& stroke) {
-  std::string list;
-  for (const Point& point : points) {
-    list += fmt::format("{}{},{}", list.empty() ? "" : " ", number(point.x), number(point.y));
-  }
-  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke-linejoin=\"round\" {}/>\n", list,
-                     attributes(stroke));
+  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke-linejoin=\"round\" {}/>\n",
+                     coordinates(points), attributes(stroke));
 }
 
 std::string area(const std::vector<Point>& points, const std::string& fill, double opacity) {
-  std::string list;
-  for (const Point& point : points)
-    list += fmt::format("{}{},{}", list.empty() ? "" : " ", number(point.x), number(point.y));
-  return fmt::format("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"{}\"/>\n", list, fill,
+  return fmt::format("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"{}\"/>\n", coordinates(points), fill,
                      number(opacity));
 }
 
