@@ -104,6 +104,9 @@ mv out figure.svg
 check 'a curve per method and phase' test "$(sed 1d data.csv | cut -d'"' -f10 | sort -u | tr '\n' ' ')" = 'rpy-ode, phase = 0.5236 rpy-ode, phase = 1.571 rpy-perturbation, phase = 0.5236 rpy-perturbation, phase = 1.571 '
 check 'the numbers of the predictions' cmp <(grep 'rpy-ode, phase = 1.571' data.csv | cut -d, -f7- | cut -d, -f1,2 | sort -t, -g) \
   <(jq -r 'select(.study.phase > 1) | "\(.study.period),\(.predictions[0].velocity)"' study-theory.jsonl | sort -t, -g)
+check 'their relative uncertainties as lengths' test "$(paste -d, <(grep 'rpy-ode, phase = 1.571' data.csv | cut -d, -f7- | sort -t, -g) \
+  <(jq -r 'select(.study.phase > 1) | "\(.study.period),\(.predictions[0] | .uncertainty * .velocity)"' study-theory.jsonl | sort -t, -g) |
+  awk -F, '{ d = $3 - $5; if (d * d < 1e-20 * $5 * $5 && $5 > 0) ++equal } END { print equal }')" = 7
 check 'bands' grep -q '<polygon' figure.svg
 for result in efficiency power arm_amplitudes; do
   accepts beadswim-plot against study-theory.jsonl --x period --y "$result" --group-by phase --log xy -o figure.svg

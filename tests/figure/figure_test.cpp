@@ -150,8 +150,10 @@ TEST(Figure, AnErrorBelowALogarithmicAxisEndsAtItsLowerEdge) {
   Figure figure = figure_with({1, 2}, {1, 10});
   figure.panels[0].y_scale = ScaleKind::logarithmic;
   figure.panels[0].series[0].errors = {2, 1};
-  EXPECT_THAT(figure_to_svg(figure), Not(HasSubstr("nan")));
-  EXPECT_THAT(figure_to_svg(figure), Not(HasSubstr("inf")));
+  const std::string svg = figure_to_svg(figure);
+  EXPECT_EQ(count(svg, "stroke-width=\"1.1"), 2U);
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(svg, Not(HasSubstr("inf")));
 }
 
 TEST(Figure, ItsNumbersAreLinesOfValues) {

@@ -19,7 +19,7 @@ struct PlottedRun {
 struct PlottedPrediction {
   std::string source;
   Prediction prediction;
-  Json study{};  ///< of the layout (layout_document.hpp)
+  Json study{};  ///< study of the layout (layout_document.hpp)
 };
 
 /// Run records and predictions that a figure shows, with their common units. Each list is in the order of the

@@ -33,7 +33,7 @@ class LayoutStream {
 
  private:
   const Communicator& communicator_;
-  std::optional<DocumentStream> documents_;  ///< on rank 0
+  std::optional<DocumentStream> documents_;  ///< nullopt on other ranks than rank 0
   bool is_stream_ = false;
 };
 
@@ -49,7 +49,7 @@ class StoredLayouts {
 
  private:
   struct Member {
-    std::int64_t start = 0;  ///< of the text in the file [byte]
+    std::int64_t start = 0;  ///< position of the text in the file [byte]
     std::string source;
   };
 

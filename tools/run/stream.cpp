@@ -22,7 +22,7 @@ namespace {
 /// Flags that change neither results nor records.
 constexpr std::array same_result_flags{"--time-limit", "--progress", "--ranks-per-run", "--checkpoint-every"};
 
-/// Ranks that run one layout together.
+/// Returns the communicator of the ranks that run one layout together. Collective.
 std::unique_ptr<Communicator> group_of(const Communicator& communicator, int ranks_per_run) {
   const int groups = communicator.size() / ranks_per_run;
   MPI_Comm own = MPI_COMM_NULL;
@@ -66,7 +66,7 @@ class SharedCounters {
   MPI_Win window_ = MPI_WIN_NULL;
 };
 
-/// Names of the files of one layout, and the hash by which its record is found again.
+/// Options and names of files of the run of one layout, and the hash that identifies its record.
 struct MemberRun {
   RunOptions options;
   std::string record_path;
@@ -108,7 +108,7 @@ void write_record(Json record, const MemberRun& run) {
   write_text(run.record_path, dump_json_line(record));
 }
 
-/// Prints the records on rank 0, in the order of the layouts, as far as they are there.
+/// Prints records on rank 0 in the order of the layouts, up to the first layout without a record.
 class RecordPrinter {
  public:
   RecordPrinter(const StoredLayouts& layouts, const RunOptions& options)

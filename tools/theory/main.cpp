@@ -106,7 +106,7 @@ void print_warnings(const PredictionDocument& predicted) {
   print_left_out_methods(predicted.left_out);
 }
 
-/// What the work on a layout of a stream found, as bits.
+/// Findings of the work on one layout of a stream, combined as bits.
 enum Findings { warned = 1, incomplete = 2, failed = 4 };
 
 /// Reads all layouts. Throws InputError if one is invalid. Returns their number.

@@ -19,7 +19,7 @@
 namespace beadswim {
 namespace {
 
-/// Sends all bytes. Returns false if the other process has ended.
+/// Sends `size` bytes. Returns false if the other process has ended.
 bool send_all(int socket, const void* bytes, std::size_t size) {
   const char* rest = static_cast<const char*>(bytes);
   while (size > 0) {
@@ -32,7 +32,7 @@ bool send_all(int socket, const void* bytes, std::size_t size) {
   return true;
 }
 
-/// Receives so many bytes. Returns false if the other process has ended.
+/// Receives `size` bytes. Returns false if the other process has ended.
 bool receive_all(int socket, void* bytes, std::size_t size) {
   char* rest = static_cast<char*>(bytes);
   while (size > 0) {
@@ -60,8 +60,8 @@ bool receive_text(int socket, std::string& text) {
 /// A process that works on one document after the other.
 struct Worker {
   pid_t process = -1;
-  int socket = -1;                       ///< to this process
-  std::optional<StreamMember> member{};  ///< on which it works
+  int socket = -1;                       ///< connection of this process with the worker
+  std::optional<StreamMember> member{};  ///< document on which the worker works; nullopt: idle
 };
 
 class Workers {

@@ -36,7 +36,7 @@ struct RunOptions {
   std::string restart;               ///< checkpoint or trajectory; empty: begins at time 0
   std::optional<double> time_limit;  ///< wall time [s]
   ProgressStyle progress = ProgressStyle::automatic;
-  std::optional<int> ranks_per_run;  ///< of a stream; nullopt: as few as keep all ranks busy
+  std::optional<int> ranks_per_run;  ///< ranks of one run of a stream; nullopt: as few as keep all busy
   bool with_provenance = true;
   Json provenance;              ///< provenance record of this program
   std::set<std::string> given;  ///< long names of the flags on the command line; "LAYOUT" if it is there

@@ -17,7 +17,7 @@ struct Request {
   std::unique_ptr<CheckpointReader> checkpoint;  ///< nullptr: the run begins at time 0
   long steps_done = 0;                           ///< number of time steps before the checkpoint
 
-  std::string name;  ///< of the layout of a stream, for messages
+  std::string name;  ///< name of the layout of a stream, for messages; empty for one layout
 
   /// Returns the name of the layout in messages.
   std::string source() const {

@@ -46,8 +46,8 @@ class DocumentStream {
 
   std::vector<File> files_;
   bool is_lines_ = true;
-  std::size_t file_ = 0;  ///< that of the next document
-  int line_ = 0;          ///< number of lines of it that have been read
+  std::size_t file_ = 0;  ///< index of the file with the next document
+  int line_ = 0;          ///< number of lines of this file that have been read
   int number_ = 0;        ///< number of documents that have been read
 };
 

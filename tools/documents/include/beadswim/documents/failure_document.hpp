@@ -11,7 +11,7 @@ struct FailureDocument {
   std::string program;
   int member = 1;  ///< position of the layout in the stream, from 1
   std::string reason;
-  Json study{};  ///< of the layout (layout_document.hpp)
+  Json study{};  ///< study of the layout (layout_document.hpp)
 };
 
 /// Returns the document as JSON.

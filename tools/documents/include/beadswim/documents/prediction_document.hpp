@@ -28,7 +28,7 @@ struct PredictionDocument {
   std::vector<LeftOutMethod> left_out;
   std::vector<std::string> warnings;  ///< beads that touch, or driving too strong for some methods
   Json provenance = Json::array();    ///< one entry per program that made the document
-  Json study{};                       ///< of the layout (layout_document.hpp)
+  Json study{};                       ///< study of the layout (layout_document.hpp)
   std::optional<Layout> scene{};      ///< nullopt for large swarms and in older documents
 };
 

@@ -275,8 +275,8 @@ struct RunRecord {
   std::optional<ExpectedErrorRecord> expected_error;  ///< nullopt: unknown, or an older record
   std::optional<std::vector<RunWarning>> warnings;    ///< nullopt in older records
   std::optional<RunCost> cost;
-  std::optional<std::string> state_sha256;  ///< nullopt after a fault
-  std::optional<Json> study;                ///< of the layout (layout_document.hpp); nullopt: none
+  std::optional<std::string> state_sha256;    ///< nullopt after a fault
+  std::optional<Json> study;                  ///< study of the layout (layout_document.hpp); nullopt: none
   std::optional<std::string> request_sha256;  ///< nullopt: not of a stream
   std::optional<Json> provenance;
   std::optional<Layout> scene;  ///< nullopt for more than max_swimmers_listed swimmers and in older records
