@@ -82,20 +82,27 @@ endfunction()
 # the kernels is BEADSWIM_INSTRUCTION_SET. A function of the target chooses the instruction set at run time.
 # -fopenmp-simd enables `#pragma omp simd`; the OpenMP runtime is not used.
 # -Wno-psabi: vectors are passed only between inlined functions, so the calling convention for vectors does not matter.
-# Clang does not know `#pragma GCC ivdep` and some of the processor names; with Clang only the baseline is compiled.
+# Clang does not know `#pragma GCC ivdep` and some of the processor names; with Clang only the baseline is compiled. So it is
+# with the sanitizers: the kernels access the same memory with every instruction set, and take a minute each to compile.
+set(BEADSWIM_INSTRUCTION_SETS baseline)
+set(BEADSWIM_KERNEL_OPTIMISATION -O3)
+if(BEADSWIM_SANITIZE)
+  set(BEADSWIM_KERNEL_OPTIMISATION -O2)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  list(APPEND BEADSWIM_INSTRUCTION_SETS x86_64_v3 x86_64_v4)
+endif()
 function(beadswim_kernels target)
-  set(sets baseline)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-    list(APPEND sets x86_64_v3 x86_64_v4)
-  endif()
   set(flags_of_x86_64_v3 -march=x86-64-v3)
   set(flags_of_x86_64_v4 -march=x86-64-v4 -mprefer-vector-width=512)
-  foreach(set ${sets})
+  if(x86_64_v4 IN_LIST BEADSWIM_INSTRUCTION_SETS)
+    target_compile_definitions(${target} PRIVATE BEADSWIM_ALL_INSTRUCTION_SETS) # core/kernel_choice.hpp
+  endif()
+  foreach(set ${BEADSWIM_INSTRUCTION_SETS})
     set(kernels ${target}_kernels_${set})
     add_library(${kernels} OBJECT ${ARGN})
     target_include_directories(${kernels} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
     target_compile_definitions(${kernels} PRIVATE BEADSWIM_INSTRUCTION_SET=${set})
-    target_compile_options(${kernels} PRIVATE -O3 -fopenmp-simd -Wno-psabi
+    target_compile_options(${kernels} PRIVATE ${BEADSWIM_KERNEL_OPTIMISATION} -fopenmp-simd -Wno-psabi
                            $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-pragmas;-Wno-pass-failed> ${flags_of_${set}})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${kernels}>)
   endforeach()

@@ -3,7 +3,7 @@
 set -euo pipefail
 
 corpus=$(realpath "$(dirname "$0")/../fuzz/corpus")
-mkdir -p documents/{layout,layout-2,layout-check,run,prediction,verdict,plan,bench}
+mkdir -p documents/{layout,layout-2,layout-check,run,prediction,verdict,plan,bench,failure}
 cd documents
 
 # Layouts: presets, units, frames, boxes, every defect, a reduced cell.
@@ -30,6 +30,9 @@ done
 # Swimmers of any shape: beads in a loop with every kind of drive, a lone bead; changed by filters.
 beadswim-layout defect amplitude --sigma 0.1 --seed 1 "$corpus/layout/shape.json" >layout-2/amplitude.json
 beadswim-layout defect rotation --random --seed 1 layout-2/amplitude.json >layout-2/rotation.json
+
+# Layouts of a study.
+beadswim-layout vary layout/single.json --over amplitude=0.1,0.2 --over /swimmers/0/id=1,2 | sed -n 2p >layout/study.json
 
 # What check says of them.
 for name in layout/{single,units,unequal,swarm,mixture} layout-2/amplitude; do
@@ -60,6 +63,16 @@ beadswim-theory ../open.layout.json --stroke-from ../open.run.json >prediction/o
 beadswim-theory layout/units.json --method rpy-perturbation --tolerance 1e-6 >prediction/warned.json 2>/dev/null
 beadswim-theory layout/frequency.json --swimmer 3 --method rpy-ode >prediction/of-one.json
 jq -c . layout/single.json | beadswim-theory --jsonl - --method oseen-force-closed >prediction/line.json
+beadswim-theory layout/study.json --method oseen-force-closed >prediction/study.json
+
+# Streams in which one layout has no prediction, and one has walls that the model lacks.
+jq -c . layout/study.json layout-2/amplitude.json >../stream.jsonl
+beadswim-theory ../stream.jsonl --method rpy-force-repaired >../predictions.jsonl 2>/dev/null || [ $? -eq 3 ]
+tail -n 1 ../predictions.jsonl >failure/theory.json
+jq -c '., (.domain.boundary[1] = "no-slip")' layout/study.json |
+  beadswim-run --model rpy --cycles 0.1 -o ../run-{}.h5md --progress none >../runs.jsonl 2>/dev/null || [ $? -eq 3 ]
+head -n 1 ../runs.jsonl >run/study.json
+tail -n 1 ../runs.jsonl >failure/run.json
 
 # Verdicts, positive and negative, by a prediction and by a run.
 compare() { # NAME FILES-AND-FLAGS...
