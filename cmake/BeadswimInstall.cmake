@@ -2,7 +2,7 @@
 set(CMAKE_INSTALL_DOCDIR share/doc/beadswim)
 include(GNUInstallDirs)
 
-set(programs layout run theory compare plot view bench)
+set(programs layout run theory compare optimise plot view bench)
 add_custom_target(programs)  # builds all programs without the tests
 foreach(program ${programs})
   add_dependencies(programs beadswim-${program})
@@ -33,6 +33,7 @@ set(name_of_layout "make, disturb, reduce and check layouts of bead-spring micro
 set(name_of_run "run a layout of bead-spring microswimmers in a viscous fluid")
 set(name_of_theory "predict velocity and stroke of a bead-spring microswimmer")
 set(name_of_compare "compare runs of microswimmers with predictions or other runs")
+set(name_of_optimise "search the best values of a layout of bead-spring microswimmers")
 set(name_of_plot "draw runs, predictions and trajectories of microswimmers")
 set(name_of_view "write a trajectory of microswimmers as a web page of one file")
 set(name_of_bench "measure the speed of Beadswim's solvers on this machine")

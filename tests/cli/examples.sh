@@ -30,7 +30,7 @@ run_examples() { # COMMAND...
 
 : >done
 : >err
-for program in layout run theory compare bench plot; do run_examples beadswim-$program; done
+for program in layout run theory compare optimise bench plot; do run_examples beadswim-$program; done
 beadswim-view run.h5md -o page.html 2>err
 grep -q 'npm\|Node.js' err || run_examples beadswim-view
 check "commands have no help" test "$(wc -l <done)" -gt 40

@@ -32,7 +32,7 @@ refuses_nonsense() { # COMMAND... -- INPUT...
   check "flags of ${command[*]} are listed" test -n "$(flags_of with-value "${command[@]}")"
   for flag in $(flags_of with-value "${command[@]}"); do
     refused "${command[@]}" "$@" "$flag" ''
-    [[ $flag =~ ^--(output|restart|with|stroke-from|reference)$ ]] && continue
+    [[ $flag =~ ^--(output|restart|with|stroke-from|reference|trace)$ ]] && continue
     for value in abc 1e999 ,; do refused "${command[@]}" "$@" "$flag=$value"; done
   done
   for flag in $(flags_of without "${command[@]}"); do
@@ -48,6 +48,7 @@ for defect in vacancy interstitial jitter rotation domains phase amplitude frequ
 done
 refuses_nonsense beadswim-run -- one.json -o new.h5md
 refuses_nonsense beadswim-theory -- one.json
+refuses_nonsense beadswim-optimise -- one.json --free phase=0:1 --maximise velocity
 refuses_nonsense beadswim-compare -- run.json theory.json
 for kind in stroke velocity-against-period separation; do refuses_nonsense beadswim-plot $kind -- run.json theory.json; done
 refuses_nonsense beadswim-plot speed-against-error -- run.json --reference theory.json

@@ -3,7 +3,7 @@
 # flags of other software.
 source "$(dirname "$0")/harness.sh"
 
-for program in layout run theory compare plot view bench; do "beadswim-$program" --help; done >help
+for program in layout run theory compare optimise plot view bench; do "beadswim-$program" --help; done >help
 for program in layout plot; do beadswim-$program --help-all; done >>help
 flags() { grep -ohE -- '(^|[^-[:alnum:]])--[a-z][a-z-]+' "$@" | grep -oE -- '--[a-z-]+' | sort -u; }
 check "the programs have flags" test "$(flags help | wc -l)" -gt 50

@@ -31,7 +31,6 @@ Rows<Real> random_rows(long cells) {
 std::vector<RowKernels> kernels() {
   std::vector<RowKernels> kernels{
       {baseline::sweep_row, baseline::sweep_row, baseline::totals_row, baseline::totals_row, "baseline"}};
-#if defined(__x86_64__)
   if (__builtin_cpu_supports("x86-64-v3")) {
     kernels.push_back({x86_64_v3::sweep_row, x86_64_v3::sweep_row, x86_64_v3::totals_row,
                        x86_64_v3::totals_row, "x86-64-v3"});
@@ -40,7 +39,6 @@ std::vector<RowKernels> kernels() {
     kernels.push_back({x86_64_v4::sweep_row, x86_64_v4::sweep_row, x86_64_v4::totals_row,
                        x86_64_v4::totals_row, "x86-64-v4"});
   }
-#endif
   return kernels;
 }
 

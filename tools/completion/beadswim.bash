@@ -34,4 +34,4 @@ _beadswim() {
   fi
 }
 
-complete -o filenames -F _beadswim beadswim-layout beadswim-run beadswim-theory beadswim-compare beadswim-plot beadswim-view beadswim-bench
+complete -o filenames -F _beadswim beadswim-layout beadswim-run beadswim-theory beadswim-compare beadswim-optimise beadswim-plot beadswim-view beadswim-bench

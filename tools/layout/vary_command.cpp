@@ -35,7 +35,8 @@ void VaryCommand::run(const CLI::App& program) const {
   filter_layouts(files_, program, FilterOutput::lines,
                  [&](const StreamMember& member, const LayoutDocument&, const auto& emit) {
                    const Json layout = parse_json(member.text, member.source);
-                   for (const StudyPoint& point : points) emit(with_values(layout, point, member.source));
+                   for (const StudyPoint& point : points)
+                     emit(with_values(layout, point, member.source, "--over"));
                  });
 }
 

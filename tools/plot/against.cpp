@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <memory>
 #include <set>
-#include <span>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
+#include "beadswim/documents/study_result.hpp"
 #include "beadswim/figure/curves.hpp"
 #include "beadswim/scene/units.hpp"
 #include "flags.hpp"
@@ -19,16 +18,6 @@
 // marks with the uncertainty that they state, predictions as curves with theirs.
 
 namespace beadswim {
-
-enum class StudyResult { velocity, efficiency, power, arm_amplitudes, angular_velocity };
-
-template <>
-inline constexpr auto name_table<StudyResult> =
-    std::to_array<NamedValue<StudyResult>>({{StudyResult::velocity, "velocity"},
-                                            {StudyResult::efficiency, "efficiency"},
-                                            {StudyResult::power, "power"},
-                                            {StudyResult::arm_amplitudes, "arm_amplitudes"},
-                                            {StudyResult::angular_velocity, "angular_velocity"}});
 
 enum class LogAxes { none, x, y, xy };
 
@@ -64,66 +53,6 @@ AxisLabel label_of(StudyResult result, const Units& units) {
       return {"angular velocity", unit("rad/" + units.time.name, "")};
   }
   return {};
-}
-
-/// A result and its absolute uncertainty, which is 0 if none is stated.
-struct Value {
-  std::string part;  ///< "" or the arm: "d1", "d2"
-  double value = 0, error = 0;
-};
-
-/// Returns the values of a compared quantity with their uncertainties.
-std::vector<Value> with_errors(const ComparedValues& values, const ComparedValues& uncertainties,
-                               ComparedQuantity quantity) {
-  std::vector<Value> all;
-  const auto found = values.find(quantity);
-  if (found == values.end()) return all;
-  const auto stated = uncertainties.find(quantity);
-  const std::vector<double>& numbers = found->second;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const bool has_error = stated != uncertainties.end() && i < stated->second.size();
-    all.push_back({.part = numbers.size() > 1 ? fmt::format("d{}", i + 1) : "",
-                   .value = numbers[i],
-                   .error = has_error ? stated->second[i] * std::abs(numbers[i]) : 0});
-  }
-  return all;
-}
-
-std::optional<ComparedQuantity> compared(StudyResult result) {
-  switch (result) {
-    case StudyResult::velocity:
-      return ComparedQuantity::velocity;
-    case StudyResult::arm_amplitudes:
-      return ComparedQuantity::arm_amplitudes;
-    case StudyResult::angular_velocity:
-      return ComparedQuantity::angular_velocity;
-    default:
-      return std::nullopt;
-  }
-}
-
-std::vector<Value> values_of(const PlottedPrediction& plotted, StudyResult result) {
-  const Prediction& prediction = plotted.prediction;
-  if (const auto quantity = compared(result))
-    return with_errors(swimming_of(prediction), uncertainties_of(prediction), *quantity);
-  const std::optional<double>& value =
-      result == StudyResult::power ? prediction.power : prediction.efficiency;
-  return value ? std::vector<Value>{{.part = "", .value = *value}} : std::vector<Value>{};
-}
-
-std::vector<Value> values_of(const PlottedRun& run, const SwimmerRecord& swimmer, StudyResult result,
-                             const CycleChoice& cycle) {
-  if (const auto quantity = compared(result))
-    return with_errors(swimming_of(run.record, swimmer, cycle, run.source), uncertainties_of(swimmer, cycle),
-                       *quantity);
-  double sum = 0;
-  const std::span<const CycleStatistics> cycles = select_cycles(swimmer.cycles, cycle, run.source);
-  for (const CycleStatistics& each : cycles) {
-    const std::optional<double>& value = result == StudyResult::power ? each.power : each.efficiency;
-    if (!value) return {};
-    sum += *value;
-  }
-  return {{.part = "", .value = sum / static_cast<double>(cycles.size())}};
 }
 
 /// Returns the value of a quantity of the study. Throws InputError if the document has no such quantity.
@@ -192,7 +121,7 @@ std::vector<PointGroup> run_points(const PlotInputs& inputs, const AgainstFlags&
     for (const PlottedRun* run : setting.runs) {
       const Json study = run->record.study.value_or(Json());
       for (const SwimmerRecord& swimmer : run->record.swimmers) {
-        for (const Value& value : values_of(*run, swimmer, flags.y, cycle)) {
+        for (const ResultValue& value : results_of(run->record, swimmer, flags.y, cycle, run->source)) {
           PointGroup& group =
               list_named(groups, setting.label + group_label(study, flags, digits, run->source) +
                                      part_label(value.part));
@@ -212,7 +141,7 @@ std::vector<Curve> prediction_curves(const PlotInputs& inputs, const AgainstFlag
   for (const std::string& method : inputs.methods) {
     for (const PlottedPrediction& plotted : inputs.predictions) {
       if (plotted.prediction.method != method) continue;
-      for (const Value& value : values_of(plotted, flags.y)) {
+      for (const ResultValue& value : results_of(plotted.prediction, flags.y)) {
         Curve& curve = list_named(curves, method + group_label(plotted.study, flags, digits, plotted.source) +
                                               part_label(value.part));
         curve.points.push_back({.x = abscissa(plotted.study, flags, plotted.source),

@@ -38,4 +38,10 @@ std::string read_bytes(const OpenFile& file, std::int64_t start, std::int64_t by
   return text;
 }
 
+std::string read_all(const OpenFile& file) {
+  std::string all;
+  for (std::string part; !(part = read_bytes(file, std::ssize(all), 1 << 16)).empty();) all += part;
+  return all;
+}
+
 }  // namespace beadswim

@@ -54,9 +54,7 @@ std::string converted_svg(const std::string& svg, const std::string& path) {
     throw SolverError(
         fmt::format("{}: the program rsvg-convert failed with status {}; write .svg instead", path, status));
   }
-  std::string picture;
-  for (std::string part; !(part = read_bytes(output, std::ssize(picture), 1 << 16)).empty();) picture += part;
-  return picture;
+  return read_all(output);
 }
 
 }  // namespace beadswim

@@ -205,8 +205,8 @@ void StreamProgress::update(int done) {
   if (now - last_ < std::chrono::seconds(10)) return;
   last_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  print_to_stderr(fmt::format("{}: {} of {} layouts done, about {:.0f} s left\n", program_, done, documents_,
-                              seconds / std::max(done, 1) * (documents_ - done)));
+  print_to_stderr(fmt::format("{}: {} of {} {} done, about {:.0f} s left\n", program_, done, count_, what_,
+                              seconds / std::max(done, 1) * (count_ - done)));
 }
 
 }  // namespace beadswim

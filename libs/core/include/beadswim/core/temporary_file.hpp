@@ -24,4 +24,7 @@ void append(const OpenFile& file, const std::string& text);
 /// SolverError if it cannot be read.
 std::string read_bytes(const OpenFile& file, std::int64_t start, std::int64_t bytes);
 
+/// Returns all bytes of a temporary file. Throws SolverError if it cannot be read.
+std::string read_all(const OpenFile& file);
+
 }  // namespace beadswim

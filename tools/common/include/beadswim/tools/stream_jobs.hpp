@@ -28,10 +28,13 @@ void for_each_member(
 /// Returns the number of processors that this process may use.
 int usable_processors();
 
-/// Prints on standard error how many documents of a stream are done, and the time left, every ten seconds.
+/// Prints on standard error how much of a work is done, such as layouts of a stream, and the time left, every
+/// ten seconds.
 class StreamProgress {
  public:
-  StreamProgress(std::string program, int documents) : program_(std::move(program)), documents_(documents) {}
+  /// `what`: name of the `count` parts of the work.
+  StreamProgress(std::string program, int count, std::string what = "layouts")
+      : program_(std::move(program)), count_(count), what_(std::move(what)) {}
 
   void update(int done);
 
@@ -39,7 +42,8 @@ class StreamProgress {
   using Clock = std::chrono::steady_clock;
 
   std::string program_;
-  int documents_;
+  int count_;
+  std::string what_;
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 

@@ -1,0 +1,140 @@
+#include "quantity.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/tools/program.hpp"
+#include "swimmer_flags.hpp"
+
+namespace beadswim {
+namespace {
+
+bool is_pointer(const std::string& name) {
+  return name.starts_with('/');
+}
+
+/// Returns the steps of a JSON pointer.
+std::vector<std::string> steps_of(const std::string& pointer) {
+  std::vector<std::string> steps;
+  for (Json::json_pointer rest(pointer); !rest.empty(); rest.pop_back()) steps.push_back(rest.back());
+  std::ranges::reverse(steps);
+  return steps;
+}
+
+/// Returns the place to which a JSON pointer leads. Throws InputError if it leads to nothing or to a list or
+/// an object.
+Json& value_at(Json& layout, const std::string& pointer, const std::string& source, const std::string& flag) {
+  Json* place = &layout;
+  std::string done;
+  for (const std::string& step : steps_of(pointer)) {
+    const std::string where = done.empty() ? source : source + ":" + done;
+    if (place->is_object()) {
+      if (!place->contains(step)) {
+        std::vector<std::string> keys;
+        for (const auto& [key, value] : place->items()) keys.push_back(key);
+        throw InputError(flag, fmt::format("\"{}\" leads to nothing: {} has no key \"{}\"{}", pointer, where,
+                                           step, format_suggestion(step, keys)));
+      }
+      place = &(*place)[step];
+    } else if (place->is_array()) {
+      std::size_t index = 0;
+      const auto [end, fault] = std::from_chars(step.data(), step.data() + step.size(), index);
+      if (fault != std::errc() || end != step.data() + step.size() || index >= place->size())
+        throw InputError(flag, fmt::format("\"{}\" leads to nothing: {} has {} entries, numbered from 0, and "
+                                           "none is \"{}\"",
+                                           pointer, where, place->size(), step));
+      place = &(*place)[index];
+    } else {
+      throw InputError(flag, fmt::format("\"{}\" leads to nothing: {} is a single value", pointer, where));
+    }
+    done += "/" + step;
+  }
+  if (place->is_structured())
+    throw InputError(flag, fmt::format("\"{}\" leads to a list or an object; add the steps to one number or "
+                                       "word in it",
+                                       pointer));
+  return *place;
+}
+
+/// Replaces types and fluid of the layout by those with the values of flags.
+Json with_flags(const LayoutDocument& document, const std::vector<std::string>& arguments,
+                const std::string& source, const std::string& flag) {
+  LayoutDocument changed = document;
+  CLI::App command("", flag);
+  const SwimmerFlags flags(command, {}, "");
+  std::vector<const char*> words{"beadswim-layout"};
+  for (const std::string& argument : arguments) words.push_back(argument.c_str());
+  parse_command_line(command, static_cast<int>(words.size()), words.data());
+  flags.apply(changed.layout, source);
+  Json json = layout_to_json(document);
+  const Json with = layout_to_json(changed);
+  for (const char* key : {"fluid", "types", "resolution"})
+    if (with.contains(key)) json[key] = with[key];
+  return json;
+}
+
+}  // namespace
+
+std::string quantity_name(const std::string& text, const std::string& flag) {
+  const std::string name = text.starts_with("--") ? text.substr(2) : text;
+  const std::vector<std::string>& names = SwimmerFlags::single_values();
+  if (!is_pointer(name) && std::ranges::find(names, name) == names.end())
+    throw InputError(flag, fmt::format("\"{}\": {}; anything else in a layout has a JSON pointer, such as "
+                                       "/domain/lengths/0",
+                                       text, format_unknown_name(name, names)));
+  if (!is_pointer(name)) return name;
+  try {
+    Json::json_pointer{name};
+    return name;
+  } catch (const Json::exception&) {
+    throw InputError(
+        flag,
+        fmt::format("\"{}\": this is no JSON pointer; in its steps, ~ is written as ~0 and / as ~1", text));
+  }
+}
+
+std::optional<double> quantity_value(const std::string& text) {
+  if (text.empty() || !angle()(text).empty()) return std::nullopt;
+  return parse_angle(text);
+}
+
+LayoutDocument with_values(const Json& layout, const StudyPoint& point, const std::string& source,
+                           const std::string& flag) {
+  Json json = layout;
+  std::vector<std::string> arguments;
+  std::string values;
+  for (const auto& [name, value] : point) {
+    const std::string text =
+        value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
+    values += fmt::format("{}{}={}", values.empty() ? "" : ", ", name, text);
+    if (is_pointer(name)) {
+      Json& place = value_at(json, name, source, flag);
+      const bool is_whole = place.is_number_integer() && value.is_number() &&
+                            std::trunc(value.get<double>()) == value.get<double>() &&
+                            std::abs(value.get<double>()) < 1e15;
+      place = is_whole ? Json(static_cast<std::int64_t>(value.get<double>())) : value;
+    } else {
+      arguments.push_back(fmt::format("--{}={}", name, text));
+    }
+  }
+  const std::string changed = fmt::format("{} with {}", source, values);
+  LayoutDocument document = layout_from_json(json, changed);
+  if (!arguments.empty()) document = layout_from_json(with_flags(document, arguments, source, flag), changed);
+  if (document.study.is_null()) document.study = Json::object();
+  for (const auto& [name, value] : point) {
+    if (document.study.contains(name))
+      throw InputError(source, fmt::format("the layout belongs to a study of \"{}\" already; vary something "
+                                           "else, or start from a layout without \"study\"",
+                                           name));
+    document.study[name] = value;
+  }
+  return document;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,129 @@
+#include "aims.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <set>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/tools/program.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr const char* limit_flag = "--subject-to";
+
+/// Name and two ends of NAME=LOW:HIGH, as text.
+struct NamedRange {
+  std::string name, low, high;
+};
+
+NamedRange named_range(const std::string& text, const std::string& flag, const std::string& form) {
+  const std::size_t equals = text.find('=');
+  const std::vector<std::string> ends =
+      split_at(':', equals == std::string::npos ? "" : text.substr(equals + 1));
+  if (equals == 0 || ends.size() != 2) throw InputError(flag, fmt::format("\"{}\": write {}", text, form));
+  return {text.substr(0, equals), ends[0], ends[1]};
+}
+
+double number(const std::string& end, const std::string& text, const std::string& flag) {
+  if (const auto value = quantity_value(end)) return *value;
+  throw InputError(flag, fmt::format("\"{}\": \"{}\" is not a finite number", text, end));
+}
+
+void require_order(double low, double high, const std::string& text, const std::string& flag) {
+  if (low < high) return;
+  throw InputError(flag, fmt::format("\"{}\": the first number must be smaller than the second", text));
+}
+
+/// Appends how far the value exceeds the sides of a limit, relative to the limit.
+void append_excess(const Limit& limit, double value, std::vector<double>& excess) {
+  const auto relative = [](double difference, double bound) {
+    return difference / (bound == 0 ? 1 : std::abs(bound));
+  };
+  if (std::isfinite(limit.low)) excess.push_back(relative(limit.low - value, limit.low));
+  if (std::isfinite(limit.high)) excess.push_back(relative(value - limit.high, limit.high));
+}
+
+}  // namespace
+
+bool FreeValue::is_logarithmic() const {
+  return from > 0 && to >= 10 * from;
+}
+
+double FreeValue::at(double coordinate) const {
+  if (coordinate <= 0) return from;
+  if (coordinate >= 1) return to;
+  return is_logarithmic() ? from * std::pow(to / from, coordinate) : from + coordinate * (to - from);
+}
+
+std::vector<FreeValue> parse_free_values(const std::vector<std::string>& texts) {
+  std::vector<FreeValue> values;
+  std::set<std::string> known;
+  for (const std::string& text : texts) {
+    const NamedRange range = named_range(text, free_flag, "NAME=FROM:TO, such as stiffness=0.01:0.1");
+    FreeValue value{
+        .names = {}, .from = number(range.low, text, free_flag), .to = number(range.high, text, free_flag)};
+    require_order(value.from, value.to, text, free_flag);
+    for (const std::string& name : split_at_commas(range.name)) {
+      value.names.push_back(quantity_name(name, free_flag));
+      if (!known.insert(value.names.back()).second)
+        throw InputError(free_flag, fmt::format("\"{}\" is named twice; give its bounds once", name));
+    }
+    values.push_back(value);
+  }
+  return values;
+}
+
+StudyPoint study_point(const std::vector<FreeValue>& free, const Position& position) {
+  StudyPoint point;
+  for (std::size_t i = 0; i < free.size(); ++i)
+    for (const std::string& name : free[i].names) point.emplace_back(name, free[i].at(position[i]));
+  return point;
+}
+
+Limit parse_limit(const std::string& text) {
+  const NamedRange range =
+      named_range(text, limit_flag, "NAME=:MAX, NAME=MIN: or NAME=MIN:MAX, such as power=:0.001");
+  const auto outcome = value_named<Outcome>(range.name);
+  if (!outcome)
+    throw InputError(limit_flag,
+                     fmt::format("\"{}\": {}", text, format_unknown_name(range.name, all_names<Outcome>())));
+  Limit limit{.outcome = *outcome};
+  if (range.low.empty() && range.high.empty())
+    throw InputError(limit_flag, fmt::format("\"{}\": a number is missing before or after the colon", text));
+  if (!range.low.empty()) limit.low = number(range.low, text, limit_flag);
+  if (!range.high.empty()) limit.high = number(range.high, text, limit_flag);
+  require_order(limit.low, limit.high, text, limit_flag);
+  return limit;
+}
+
+int Aims::constraints() const {
+  int sides = 0;
+  for (const Limit& limit : limits) sides += std::isfinite(limit.low) + std::isfinite(limit.high);
+  return sides;
+}
+
+Trial Aims::trial_of(const Outcomes& outcomes) const {
+  Trial trial;
+  const double value = outcomes.at(objective).value;
+  trial.value = is_maximised ? -value : value;
+  for (const Limit& limit : limits) append_excess(limit, outcomes.at(limit.outcome).value, trial.excess);
+  return trial;
+}
+
+void Aims::require_outcomes(const Outcomes& outcomes, const std::string& evaluator) const {
+  std::vector<std::string> given;
+  for (const auto& [outcome, value] : outcomes) given.emplace_back(to_text(outcome));
+  const auto require = [&](Outcome outcome, const char* flag) {
+    if (outcomes.contains(outcome)) return;
+    throw InputError(flag, fmt::format("{} gives no {} for this layout; it gives {}", evaluator,
+                                       to_text(outcome), fmt::join(given, ", ")));
+  };
+  require(objective, flag());
+  for (const Limit& limit : limits) require(limit.outcome, limit_flag);
+}
+
+}  // namespace beadswim

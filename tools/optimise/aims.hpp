@@ -1,0 +1,61 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "evaluation.hpp"
+#include "quantity.hpp"
+#include "search.hpp"
+
+// What is searched: free values with their bounds, the outcome that is to be large or small, and limits.
+
+namespace beadswim {
+
+constexpr const char* free_flag = "--free";
+
+/// A value of the layout that the search may change, of one or several quantities. Positive bounds that
+/// differ by a factor of ten or more are searched on a logarithmic scale.
+struct FreeValue {
+  std::vector<std::string> names;  ///< of quantity_name()
+  double from = 0, to = 0;
+
+  bool is_logarithmic() const;
+  /// Returns the value at a coordinate from 0 to 1.
+  double at(double coordinate) const;
+};
+
+/// Parses NAME=FROM:TO, or NAME,NAME,...=FROM:TO for quantities with equal values, with FROM < TO for each
+/// text. Throws InputError, also if a name occurs twice.
+std::vector<FreeValue> parse_free_values(const std::vector<std::string>& texts);
+
+/// Returns the values at a position in the unit cube.
+StudyPoint study_point(const std::vector<FreeValue>& free, const Position& position);
+
+/// Range that an outcome must not leave.
+struct Limit {
+  Outcome outcome{};
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+};
+
+/// Parses NAME=:MAX, NAME=MIN: or NAME=MIN:MAX. Throws InputError.
+Limit parse_limit(const std::string& text);
+
+/// The outcome that is to be large or small, and the limits of others.
+struct Aims {
+  Outcome objective{};
+  bool is_maximised = true;
+  std::vector<Limit> limits;
+
+  /// Number of sides of all limits.
+  int constraints() const;
+  /// Returns the trial of outcomes, which must contain the objective and all limited ones.
+  Trial trial_of(const Outcomes& outcomes) const;
+  /// Throws InputError if the outcomes lack the objective or a limited one. `evaluator`: name of the method
+  /// or model.
+  void require_outcomes(const Outcomes& outcomes, const std::string& evaluator) const;
+
+  const char* flag() const { return is_maximised ? "--maximise" : "--minimise"; }
+};
+
+}  // namespace beadswim

@@ -1,0 +1,197 @@
+#include "evaluation.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <span>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/plan/run_settings.hpp"
+#include "beadswim/theory/methods.hpp"
+#include "one_run.hpp"
+#include "predict_layout.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Returns the smallest gap between the surfaces of the two beads of an arm, whose length is mean + d cos(w t
+/// + delta): mean - d - a_1 - a_2.
+double smallest_arm_gap(const SwimmerType& type, std::span<const double> means,
+                        std::span<const double> amplitudes) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t arm = 0; arm < type.bonds.size(); ++arm) {
+    const auto& [first, second] = type.bonds[arm].beads;
+    const double radii = type.beads[static_cast<std::size_t>(first)].radius +
+                         type.beads[static_cast<std::size_t>(second)].radius;
+    smallest = std::min(smallest, means[arm] - amplitudes[arm] - radii);
+  }
+  return smallest;
+}
+
+std::vector<double> rest_lengths(const SwimmerType& type) {
+  std::vector<double> lengths;
+  for (const Bond& bond : type.bonds) lengths.push_back(bond.rest_length);
+  return lengths;
+}
+
+constexpr std::array<std::pair<Outcome, StudyResult>, 4> results{
+    {{Outcome::velocity, StudyResult::velocity},
+     {Outcome::angular_velocity, StudyResult::angular_velocity},
+     {Outcome::efficiency, StudyResult::efficiency},
+     {Outcome::power, StudyResult::power}}};
+
+const Swimmer& swimmer_with(const Layout& layout, int id) {
+  return *std::ranges::find(layout.swimmers, id, &Swimmer::id);
+}
+
+class TheoryEvaluator : public Evaluator {
+ public:
+  TheoryEvaluator(const std::string& method, const EvaluatorSettings& settings) {
+    request_.methods = {method};
+    request_.swimmer = settings.swimmer;
+  }
+
+  Outcomes evaluate(const LayoutDocument& document, const std::string& source) const override {
+    const PredictionDocument predicted = predict_layout(document, source, request_, std::nullopt);
+    const Prediction& prediction = predicted.predictions.front();
+    Outcomes outcomes;
+    for (const auto& [outcome, result] : results)
+      for (const ResultValue& value : results_of(prediction, result)) outcomes[outcome] = value;
+    const SwimmerType type = document.layout.resolved_type(swimmer_with(document.layout, predicted.swimmer));
+    const std::vector<double> means = prediction.arm_means.value_or(rest_lengths(type));
+    const std::vector<double>& amplitudes = prediction.stroke.amplitude;
+    if (means.size() == type.bonds.size() && amplitudes.size() == type.bonds.size())
+      outcomes[Outcome::gap].value = smallest_arm_gap(type, means, amplitudes);
+    return outcomes;
+  }
+
+ private:
+  TheoryRequest request_;
+};
+
+/// A folder for temporary files, removed with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string path = std::filesystem::temp_directory_path() / "beadswim-XXXXXX";
+    if (mkdtemp(path.data()) == nullptr)
+      throw SolverError(path +
+                        ": the folder for temporary files cannot be created; set TMPDIR to another one");
+    path_ = path;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::vector<std::string> names_of_evaluators() {
+  std::vector<std::string> names;
+  for (const Method& method : methods())
+    if (method.input != Method::Input::stroke) names.push_back(method.name);
+  for (const std::string& model : all_names<RunModel>())
+    if (is_model(model)) names.push_back(model);
+  return names;
+}
+
+class ModelEvaluator : public Evaluator {
+ public:
+  ModelEvaluator(const std::string& model, const EvaluatorSettings& settings) : swimmer_(settings.swimmer) {
+    options_.settings.model = from_text<RunModel>(model);
+    if (settings.cycles) options_.settings.cycles = *settings.cycles;
+    options_.output = folder_.path() / "run.h5md";
+    options_.progress = ProgressStyle::none;
+  }
+
+  Outcomes evaluate(const LayoutDocument& document, const std::string& source) const override {
+    const RunRecord record = run(document, source);
+    Outcomes sum;
+    const std::vector<const SwimmerRecord*> swimmers = chosen(record, source);
+    for (const SwimmerRecord* swimmer : swimmers) add(record, *swimmer, document.layout, source, sum);
+    for (auto& [outcome, value] : sum) {
+      if (outcome == Outcome::gap) continue;
+      value.value /= static_cast<double>(swimmers.size());
+      value.error /= static_cast<double>(swimmers.size());
+    }
+    return sum;
+  }
+
+ private:
+  RunRecord run(const LayoutDocument& document, const std::string& source) const {
+    Request request;
+    request.options = options_;
+    request.name = source;
+    RunRecord record;
+    const RunOutcome outcome = run_layout(
+        document, request, MPI_Wtime(), [&](const RunRecord& made) { record = made; }, communicator_,
+        failures_);
+    if (outcome.status == RunStatus::stopped_signal) throw StoppedEarly(outcome.reason);
+    if (outcome.status != RunStatus::finished) throw SolverError(outcome.reason);
+    return record;
+  }
+
+  std::vector<const SwimmerRecord*> chosen(const RunRecord& record, const std::string& source) const {
+    if (swimmer_) return {&find_swimmer(record, *swimmer_, source)};
+    if (record.swimmers.empty())
+      throw InputError(source,
+                       "records of more than 64 swimmers do not list them; name one with --swimmer, or make "
+                       "a smaller cell with beadswim-layout reduce");
+    std::vector<const SwimmerRecord*> all;
+    for (const SwimmerRecord& swimmer : record.swimmers) all.push_back(&swimmer);
+    return all;
+  }
+
+  /// Adds the outcomes of one swimmer; the gap is that of the swimmer with the smallest.
+  static void add(const RunRecord& record, const SwimmerRecord& swimmer, const Layout& layout,
+                  const std::string& source, Outcomes& sum) {
+    const CycleChoice last{};
+    for (const auto& [outcome, result] : results) {
+      for (const ResultValue& value : results_of(record, swimmer, result, last, source)) {
+        sum[outcome].value += value.value;
+        sum[outcome].error += value.error;
+      }
+    }
+    const CycleStatistics& cycle = select_cycles(swimmer.cycles, last, source).front();
+    const double gap = smallest_arm_gap(layout.resolved_type(swimmer_with(layout, swimmer.id)),
+                                        cycle.arm_means, cycle.arm_amplitudes);
+    const bool is_first = !sum.contains(Outcome::gap);
+    double& smallest = sum[Outcome::gap].value;
+    smallest = is_first ? gap : std::min(smallest, gap);
+  }
+
+  TemporaryFolder folder_;
+  Communicator communicator_{MPI_COMM_SELF}, failures_{MPI_COMM_SELF};
+  RunOptions options_;
+  std::optional<int> swimmer_;
+};
+
+}  // namespace
+
+std::unique_ptr<Evaluator> evaluator_named(const std::string& name, const std::string& flag,
+                                           const EvaluatorSettings& settings) {
+  if (is_model(name)) return std::make_unique<ModelEvaluator>(name, settings);
+  const auto method = std::ranges::find(methods(), name, &Method::name);
+  if (method == methods().end()) throw InputError(flag, format_unknown_name(name, names_of_evaluators()));
+  if (method->input == Method::Input::stroke)
+    throw InputError(flag, fmt::format("{} needs a measured stroke, which belongs to one layout; name a "
+                                       "method that computes the stroke",
+                                       name));
+  return std::make_unique<TheoryEvaluator>(name, settings);
+}
+
+bool is_model(const std::string& name) {
+  const auto model = value_named<RunModel>(name);
+  return model && *model != RunModel::automatic;
+}
+
+}  // namespace beadswim
