@@ -36,21 +36,28 @@ check "trajectory of an unbroken run" h5diff whole.h5md slurm.h5md
 state() { jq -r .state_sha256 "$1"; }
 check "state of an unbroken run" test "$(state whole.json)" = "$(state slurm.json)"
 
-# --- a sweep, one job of its array
+# --- a study in two jobs of an array
 rm requeued
-export SLURM_JOB_ID=17 SLURM_ARRAY_JOB_ID=17 SLURM_ARRAY_TASK_ID=2000
-TIME_IS_UP=yes run bash "$jobs/sweep.sbatch" sweep --model rpy --steps-per-cycle 50
+beadswim-layout vary layout.json --over phase=30deg,60deg,90deg,120deg,150deg >study.jsonl
+flags=(--cells-per-radius 2 --relaxation-time 1.5 --cycles 30 --no-provenance)
+beadswim-run study.jsonl "${flags[@]}" -o whole-{}.h5md --progress none >whole.jsonl
+export SLURM_ARRAY_JOB_ID=17 SLURM_ARRAY_TASK_COUNT=2 SLURM_ARRAY_TASK_MIN=1
+job() { SLURM_ARRAY_TASK_ID=$1 run bash "$jobs/study.sbatch" study.jsonl study "${flags[@]}"; }
+TIME_IS_UP=yes job 1
 has_status 4
-check "the sweep's job is queued again" grep -q '^requeue 17_2000$' sweep/requeued
-check "it has no record yet" test ! -e sweep/T2000.json
-run bash "$jobs/sweep.sbatch" sweep --model rpy --steps-per-cycle 50
+check "the job is queued again" grep -q '^requeue 17_1$' study/requeued
+check "it has no records yet" test ! -e study/part-1.jsonl
+check "checkpoints of what was under way" test -e study/part-1/run-1.h5md.ckpt.0
+job 1
 has_status 0
-err_has 'continuing from '
-check "the sweep's record is there" holds '.status == "finished" and .driving.period == 2000' sweep/T2000.json
-accepts beadswim-plot velocity-against-period sweep/T*.json
-cp sweep/T2000.json whole.json
-run bash "$jobs/sweep.sbatch" sweep --model rpy --steps-per-cycle 50
+check "they were continued" test ! -e study/part-1/run-1.h5md.ckpt.0.old
+job 2
 has_status 0
-check "what is done is left alone" cmp -s whole.json sweep/T2000.json
+results() { jq -c 'del(.request_sha256)' "$@" | sort; }
+check "records of an unbroken run" cmp <(results study/part-*.jsonl) <(results whole.jsonl)
+cp study/part-1.jsonl first.jsonl
+job 1
+has_status 0
+check "what is done is left alone" cmp -s first.jsonl study/part-1.jsonl
 for script in "$jobs"/*.sbatch; do check "$script parses" bash -n "$script"; done
 finish

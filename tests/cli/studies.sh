@@ -174,6 +174,15 @@ run mpirun -n 2 beadswim-run campaign.jsonl "${campaign[@]}" -o killed-{}.h5md
 has_status 0
 check 'the same records' cmp out whole.jsonl
 
+# A checkpoint at the end of a run whose record is missing: the run begins again.
+ended=(--model rpy --cycles 1 --checkpoint-every 0.5 --progress none --no-provenance -o ended-{}.h5md)
+beadswim-run some.jsonl "${ended[@]}" >ended.jsonl 2>err
+check 'checkpoints' test -e ended-2.h5md.ckpt.0
+rm ended-2.json
+run beadswim-run some.jsonl "${ended[@]}"
+has_status 0
+check 'the same records' cmp out ended.jsonl
+
 # A time limit stops the stream; the same command goes on.
 run beadswim-run campaign.jsonl "${campaign[@]}" --time-limit 0.5 -o limited-{}.h5md
 has_status 4

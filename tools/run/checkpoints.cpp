@@ -96,6 +96,26 @@ std::unique_ptr<CheckpointReader> open_checkpoint(const std::string& restart,
   return std::make_unique<CheckpointReader>(restart, communicator);
 }
 
+std::unique_ptr<CheckpointReader> open_interrupted_run(const RunOptions& options, const std::string& layout,
+                                                       const Communicator& communicator) {
+  if (options.settings.model == RunModel::automatic) return nullptr;
+  const bool is_there = exists(slot_path(options.output, 0), communicator) ||
+                        exists(slot_path(options.output, 1), communicator);
+  if (!is_there) return nullptr;
+  try {
+    auto checkpoint = latest_complete_checkpoint(options.output, communicator);
+    FlagValues flags = flags_of(*checkpoint);
+    require_same_result_flags(options, flags);
+    for (const auto& [flag, value] : length_and_output_flags(options.settings))
+      if (flag != "--checkpoint-every" && flags[flag] != value) return nullptr;
+    const bool is_same =
+        layout_of(*checkpoint) == layout && checkpoint->text(program_section) == this_program();
+    return is_same ? std::move(checkpoint) : nullptr;
+  } catch (const InputError&) {  // damaged, or of other flags
+    return nullptr;
+  }
+}
+
 FlagValues flags_of(const CheckpointReader& checkpoint) {
   try {
     auto flags = parse_json(checkpoint.text(flags_section), checkpoint.path()).get<FlagValues>();

@@ -20,6 +20,12 @@ namespace beadswim {
 std::unique_ptr<CheckpointReader> open_checkpoint(const std::string& restart,
                                                   const Communicator& communicator);
 
+/// Opens the checkpoint of an interrupted run with the same trajectory, layout, flags and version of the
+/// program. `layout`: JSON text of the layout. Returns nullptr if there is none, or if the model is still to
+/// be chosen. Collective.
+std::unique_ptr<CheckpointReader> open_interrupted_run(const RunOptions& options, const std::string& layout,
+                                                       const Communicator& communicator);
+
 /// Returns the path of the trajectory to which `restart`, the value of the flag --restart, belongs.
 std::string trajectory_of(const std::string& restart);
 

@@ -19,13 +19,19 @@
 namespace beadswim {
 namespace {
 
-void require_steps_left(const ModelPlan& plan, long done) {
+/// Throws InputError if a checkpoint has no time steps left. A layout of a stream is then run from its start.
+void require_steps_left(const ModelPlan& plan, Request& request) {
   const double cycles = plan.options.settings.cycles;
+  const long done = request.steps_done;
   if (done == 0 || done < plan.steps_in(cycles)) return;
-  throw InputError(
-      "--cycles", fmt::format("the number of cycles, {}, is too small, because the checkpoint is already at "
-                              "cycle {:.6g}; give more cycles",
-                              cycles, static_cast<double>(done) / static_cast<double>(plan.steps_per_cycle)));
+  if (request.name.empty())
+    throw InputError(
+        "--cycles",
+        fmt::format("the number of cycles, {}, is too small, because the checkpoint is already "
+                    "at cycle {:.6g}; give more cycles",
+                    cycles, static_cast<double>(done) / static_cast<double>(plan.steps_per_cycle)));
+  request.checkpoint.reset();
+  request.steps_done = 0;
 }
 
 void warn(const std::vector<RunWarning>& warnings) {
@@ -112,8 +118,8 @@ RunOutcome run_layout(const LayoutDocument& document, Request& request, double s
   const std::unique_ptr<ModelPlan> planned = plan_for(document, request, communicator);
   const ModelPlan& plan = *planned;
   const RunOptions& options = plan.options;
+  require_steps_left(plan, request);
   const long done = request.steps_done;
-  require_steps_left(plan, done);
   Progress progress(options.progress, done, plan.steps_in(options.settings.cycles),
                     static_cast<double>(plan.steps_per_cycle), plan.updates_per_step);
   if (communicator.is_root()) announce(plan, request);

@@ -13,6 +13,7 @@
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/tools/program.hpp"
 #include "beadswim/tools/stream_jobs.hpp"
+#include "checkpoints.hpp"
 #include "one_run.hpp"
 #include "stop_signal.hpp"
 
@@ -149,6 +150,8 @@ bool run_member(const StreamMember& member, const RunOptions& options, double st
   Request request;
   request.options = run.options;
   request.name = member.source;
+  request.checkpoint = open_interrupted_run(run.options, dump_json(layout_to_json(document)), group);
+  if (request.checkpoint) request.steps_done = steps_done_in(*request.checkpoint);
   RunOutcome outcome;
   Json record;
   try {
