@@ -1,6 +1,6 @@
 #!/bin/bash
 # Searches the swimmers of docs/optimise.md.
-#   docs/results/best-swimmers.sh FOLDER [known|unknown]    with the programs on PATH; seconds, and 40 minutes for the unknown one
+#   docs/results/best-swimmers.sh FOLDER [known|unknown]    with the programs on PATH; half a minute, and ten minutes for the unknown one
 # Writes FOLDER/best-swimmers-known.jsonl and FOLDER/best-swimmers-unknown.jsonl: the study of each layout that was found, with
 # the question and the method.
 set -euo pipefail
@@ -23,6 +23,16 @@ best() { # QUESTION METHOD LAYOUT FLAGS...
 swimmer() { beadswim-layout swimmer --preset paper-single --unbounded "$@"; }
 swimmer >paper.json
 swimmer --phase 0 --amplitude 0.02,0.01 >unequal.json
+
+# Efficiency by exact Stokes flow of the swimmer that a line of records has found, as a layout of version 1.
+exact() { # QUESTION JQ-FILTER-OF-THE-STUDY
+  local values
+  values=$(jq -r "$2"' | "--amplitude \(.forces) --arm \(20 + .at),\(20 - .at) --phase \(.phase // 1.5707963267948966) --stiffness \(.stiffness // 0.0347)"')
+  swimmer $values | beadswim-theory --method multipole-ode | # as words
+    jq -c --arg question "$1" '{question: $question, by: "multipole-ode"} + (.predictions[0] | {power, efficiency})'
+}
+of_line='{at: .["/types/line/beads/1/at/0"], forces: .["/types/line/driving/forces/0/harmonics/0/amplitude"],
+  phase: .["/types/line/driving/forces/1/harmonics/1/phase"], stiffness: .["/types/line/bonds/0/stiffness"]}'
 
 # Three beads on a line, whose middle bead moves between the outer ones: springs without a rest length have that of the beads.
 jq -n '{schema: "beadswim/layout/2", units: "lattice", fluid: {density: 1, kinematic_viscosity: (1/3)}, domain: null,
@@ -47,10 +57,19 @@ if [ "$part" = known ]; then
     best "stiffness of greatest speed" $method unequal.json --free stiffness=0.001:1 --maximise velocity
   done
   best "most efficient arm ratio" rpy-ode line.json "${efficient[@]}"
-  best "most efficient arm ratio" multipole line.json "${efficient[@]}" --cycles 4
+  best "most efficient arm ratio" multipole line.json "${efficient[@]}" --cycles 4 >ratio.jsonl
+  cat ratio.jsonl
+  exact "these arms, exactly" "$of_line" <ratio.jsonl
+  exact "equal arms of the same power, exactly" '{at: 0, forces: 0.1093}' <<<null
 else
   for seed in 1 2; do
     best "most efficient swimmer, seed $seed" multipole line.json "${efficient[@]}" --free "$phases=0:180deg" --free "$stiffnesses=0.005:0.5" \
-      --cycles 4 --evaluations 2000 --seed $seed --verify-by rpy-ode
+      --cycles 4 --evaluations 2000 --seed $seed --verify-by rpy-ode >unknown.jsonl
+    cat unknown.jsonl
+  done
+  exact "this swimmer, exactly" "$of_line" <unknown.jsonl
+  for seed in 1 2 3; do
+    best "most efficient swimmer, seed $seed" rpy-ode line.json "${efficient[@]}" --free "$phases=0:180deg" --free "$stiffnesses=0.005:0.5" \
+      --evaluations 2000 --seed $seed
   done
 fi >"$folder/best-swimmers-$part.jsonl"

@@ -52,7 +52,7 @@ check 'the grid is not better' holds -s --slurpfile found found.json \
 limited=(--free amplitude=0.01:1 --free stiffness=0.02:0.2 --maximise velocity)
 run beadswim-optimise paper.json "${limited[@]}" --subject-to power=:1e-4 --subject-to gap=8:
 has_status 0
-err_has '^beadswim-optimise: power = 9.99.*e-05 is at its limit$'
+err_has '^beadswim-optimise: power = (9.99.*e-05|0.0001) is at its limit$'
 err_has 'then COBYLA$'
 beadswim-theory out --method rpy-ode >limited.json
 check 'power and gap are within their limits' holds '.predictions[0] | .power <= 1e-4 and .power > 0.9999e-4
@@ -70,6 +70,20 @@ best() { beadswim-optimise "$@" --free phase=0:180deg --maximise velocity 2>repo
 best paper.json >by-name.json
 check 'a pipe' cmp <(best <paper.json) by-name.json
 beadswim-layout vary paper.json --over arm=20,30 | best --method oseen-force-closed >stream.jsonl
+# The given layouts need not be such that they can be evaluated; one that has no result does not stop the others.
+run beadswim-optimise <(beadswim-layout vary paper.json --over amplitude=1.5,0 | jq -c 'del(.study)') --free amplitude=0.1:0.3 --maximise efficiency
+has_status 0
+check 'two results' holds -s 'length == 2 and .[0].study.amplitude == .[1].study.amplitude' out
+beadswim-layout vary paper.json --over arm=20,9 >arms.jsonl
+run beadswim-optimise arms.jsonl --free phase=0:180deg --maximise velocity --subject-to gap=6: --trace arms.trace
+has_status 3
+err_has '1 of 2 layouts have no result'
+check 'a failure in its place' holds -s '.[0].study.velocity > 0 and .[1].status == "failed" and .[1].member == 2 and .[1].study.arm == 9' out
+check 'a trace of both' holds -s 'map(.layout) | unique == [1, 2]' arms.trace
+# What was found can be searched again.
+run beadswim-optimise stream.jsonl --free phase=80deg:100deg --minimise power --method oseen-force-closed
+has_status 0
+check 'the earlier results are gone' holds -s 'all(.study | has("velocity") | not) and all(.study.power > 0)' out
 check 'a layout per layout' holds -s 'map(.study.arm) == [20, 30] and all(.study.velocity > 0)' stream.jsonl
 run beadswim-optimise paper.json --free phase=60deg:120deg --maximise velocity --model rpy --cycles 3 --evaluations 20 --verify-by rpy-ode
 has_status 0
@@ -78,9 +92,16 @@ near .study.velocity '.study["velocity_by_rpy-ode"]' 0.01
 near .study.velocity "$(beadswim-run out --model rpy --cycles 3 -o run.h5md --progress none 2>report | jq '.swimmers[0].cycles[-1].speed_along_axis')" 1e-9
 # Radii whose beads overlap cannot be treated.
 run beadswim-optimise paper.json --free radius=2:12 --minimise power
-err_has 'then SBPLX'
+err_has 'then Nelder-Mead'
 run beadswim-optimise paper.json --free /types/a/beads/0/radius,/types/a/beads/2/radius=3:5 --maximise velocity
 check 'two equal values' holds '.types.a.beads | .[0].radius == .[2].radius and .[1].radius == 4' out
+# Springs without a rest length follow their beads. The power of a dumbbell depends on their distance.
+beadswim-layout shape dumbbell --unbounded | jq 'del(.types[].bonds[].rest_length)' >dumbbell.json
+run beadswim-optimise dumbbell.json --free /types/dumbbell/beads/1/at/0=8:20 --minimise power
+has_status 0
+moved() { beadswim-layout vary dumbbell.json --over "/types/dumbbell/beads/1/at/0=$1" | beadswim-theory --method rpy-ode | jq .predictions[0].power; }
+check 'the power depends on the place' test "$(moved 8)" != "$(moved 20)"
+near .study.power "[$(moved 8), $(moved 20)] | min" 1e-3
 # Four values: the random numbers of a seed.
 four=(--free phase=60deg:120deg --free stiffness=0.02:0.05 --free period=4000:6000 --free radius=3:5 --maximise velocity --method oseen-force-closed)
 four() { beadswim-optimise paper.json "${four[@]}" --evaluations 100 --seed "$1" 2>report; }
@@ -89,7 +110,49 @@ check 'the same seed' cmp <(four 1) first.json
 check 'another seed' test "$(four 2 | jq .study.phase)" != "$(jq .study.phase first.json)"
 check 'the random search is named' grep -q 'by CRS2, then BOBYQA' report
 
+# A second method that exceeds a limit, or cannot treat the layout.
+run beadswim-optimise paper.json --free amplitude=0.1:0.5 --maximise velocity --subject-to power=:5e-4 --verify-by multipole-ode --trace verified.jsonl
+has_status 0
+err_has '^beadswim-optimise: multipole-ode: power = 0.0005.* is outside its limits$'
+check 'the trace says so' holds -s 'last | .stage == "verification" and .feasible == false and .power > 5e-4' verified.jsonl
+run beadswim-optimise paper.json --free phase=0:180deg --maximise velocity --method oseen-force-closed --verify-by lbm
+has_status 3
+err_has 'lbm cannot verify the layout that was found: .*a lattice needs a box'
+check 'the result is there' holds '.study.velocity > 0' out
+
+# A limit of 0 does not depend on units, and holds strictly.
+for units in lattice m,s,kg; do
+  beadswim-layout swimmer --preset paper-single --unbounded | jq --arg units "$units" 'if $units == "lattice" then . else
+    .units = {length: "m", time: "s", mass: "kg"} | (.types.a.beads[].radius, .types.a.springs[].rest_length) *= 1e-6 | .fluid.kinematic_viscosity *= 1e-12
+    | .fluid.density *= 1e18 | .types.a.beads[].density *= 1e18 | .types.a.driving.amplitude |= map(. * 1e-6) | .types.a.angular_stiffness *= 1e-12 end' >units.json
+  [ "$units" = lattice ] && unit=1e0 || unit=1e-6
+  run beadswim-optimise units.json --free "amplitude=0.${unit}:0.7${unit#1}" --maximise velocity --subject-to gap=0:
+  has_status 0
+  err_has 'gap = .* is at its limit'
+  check 'no overlap' bash -c '! grep -q overlap err'
+  jq "[.study.amplitude, .study.velocity] | map(. / $unit)" out >"found-$units.json"
+done
+check 'the same in both units' holds -s '(.[0][0] / .[1][0] - 1, .[0][1] / .[1][1] - 1) | . < 1e-3 and . > -1e-3' found-lattice.json found-m,s,kg.json
+
+# A signal ends a search by a model.
+beadswim-optimise paper.json --free phase=0:180deg --maximise velocity --model multipole --cycles 30 --trace signal.jsonl >out 2>err &
+until pgrep -f 'beadswim-optimise paper.json .*signal.jsonl' >held; do sleep 0.1; done
+sleep 1
+kill -INT "$(pgrep -f 'beadswim-optimise paper.json .*signal.jsonl' | head -1)"
+wait $! || status=$?
+has_status 4
+check 'its trace' test -s signal.jsonl
+
 # --- bad input
+
+refuses 'too far apart' beadswim-optimise paper.json --free amplitude=1e-300:1e300 --maximise velocity
+refuses 'named twice; write power=MIN:MAX once' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --subject-to power=1: --subject-to power=:2
+refuses 'leads to no number' beadswim-optimise paper.json --free /types/a/driving/frame=0:1 --maximise velocity
+refuses '"-" cannot be written' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --trace -
+beadswim-layout shape sphere >sphere.json
+refuses 'gives no gap for this layout' beadswim-optimise sphere.json --free /types/sphere/beads/0/radius=1:2 --maximise velocity --subject-to gap=1:
+beadswim-layout vary paper.json --over arm=20,9 >short.jsonl
+refuses 'short.jsonl line 2 with radius=.*overlap' beadswim-optimise short.jsonl --free radius=5:6 --maximise velocity
 
 refuses 'unknown value "phas"; did you mean "phase"' beadswim-optimise paper.json --free phas=0:1 --maximise velocity
 refuses 'the first number must be smaller than the second' beadswim-optimise paper.json --free phase=1:0 --maximise velocity
@@ -106,11 +169,11 @@ refuses 'unknown value "powr"; did you mean "power"' beadswim-optimise paper.jso
 refuses 'the first number must be smaller' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --subject-to power=2:1
 refuses 'a number is missing' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --subject-to power=:
 refuses 'unknown value "rpy-od"; did you mean "rpy-ode"' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --method rpy-od
-refuses 'rpy is a model of beadswim-run; write --model rpy' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --method rpy
+refuses 'rpy is a model of beadswim-run; use --model or --verify-by' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --method rpy
 refuses 'needs a measured stroke' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --method multipole-stroke
 refuses 'unknown value "lbn"; did you mean "lbm"' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --verify-by lbn
 refuses '--cycles: is for models only' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --cycles 3
 refuses 'cannot be written' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --trace nowhere/trace.jsonl
 refuses 'would replace the input file' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --trace paper.json
-refuses 'with radius=13.*overlap' beadswim-optimise paper.json --free radius=11:13 --maximise velocity
+refuses 'with radius=12.*overlap' beadswim-optimise paper.json --free radius=11:13 --maximise velocity
 finish

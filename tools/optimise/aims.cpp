@@ -38,13 +38,32 @@ void require_order(double low, double high, const std::string& text, const std::
   throw InputError(flag, fmt::format("\"{}\": the first number must be smaller than the second", text));
 }
 
-/// Appends how far the value exceeds the sides of a limit, relative to the limit.
-void append_excess(const Limit& limit, double value, std::vector<double>& excess) {
-  const auto relative = [](double difference, double bound) {
-    return difference / (bound == 0 ? 1 : std::abs(bound));
+/// Appends how far the value exceeds the sides of a limit, relative to the limit, or to `typical` if the
+/// limit is 0.
+void append_excess(const Limit& limit, double value, double typical, std::vector<double>& excess) {
+  const auto unit = [typical](double bound) {
+    return bound != 0 ? std::abs(bound) : typical != 0 ? std::abs(typical) : 1;
   };
-  if (std::isfinite(limit.low)) excess.push_back(relative(limit.low - value, limit.low));
-  if (std::isfinite(limit.high)) excess.push_back(relative(value - limit.high, limit.high));
+  if (std::isfinite(limit.low)) excess.push_back((limit.low - value) / unit(limit.low));
+  if (std::isfinite(limit.high)) excess.push_back((value - limit.high) / unit(limit.high));
+}
+
+Limit parse_limit(const std::string& text) {
+  const NamedRange range =
+      named_range(text, limit_flag, "NAME=:MAX, NAME=MIN: or NAME=MIN:MAX, such as power=:0.001");
+  const auto outcome = value_named<Outcome>(range.name);
+  if (!outcome)
+    throw InputError(limit_flag,
+                     fmt::format("\"{}\": {}", text, format_unknown_name(range.name, all_names<Outcome>())));
+  Limit limit{.outcome = *outcome};
+  if (range.low.empty() && range.high.empty())
+    throw InputError(limit_flag, fmt::format("\"{}\": a number is missing before or after the colon", text));
+  for (const std::string& end : {range.low, range.high})
+    if (end.ends_with("deg")) throw InputError(limit_flag, fmt::format("\"{}\": this is no angle", text));
+  if (!range.low.empty()) limit.low = number(range.low, text, limit_flag);
+  if (!range.high.empty()) limit.high = number(range.high, text, limit_flag);
+  require_order(limit.low, limit.high, text, limit_flag);
+  return limit;
 }
 
 }  // namespace
@@ -67,6 +86,8 @@ std::vector<FreeValue> parse_free_values(const std::vector<std::string>& texts) 
     FreeValue value{
         .names = {}, .from = number(range.low, text, free_flag), .to = number(range.high, text, free_flag)};
     require_order(value.from, value.to, text, free_flag);
+    if (!std::isfinite(value.is_logarithmic() ? value.to / value.from : value.to - value.from))
+      throw InputError(free_flag, fmt::format("\"{}\": these bounds are too far apart", text));
     for (const std::string& name : split_at_commas(range.name)) {
       value.names.push_back(quantity_name(name, free_flag));
       if (!known.insert(value.names.back()).second)
@@ -84,20 +105,17 @@ StudyPoint study_point(const std::vector<FreeValue>& free, const Position& posit
   return point;
 }
 
-Limit parse_limit(const std::string& text) {
-  const NamedRange range =
-      named_range(text, limit_flag, "NAME=:MAX, NAME=MIN: or NAME=MIN:MAX, such as power=:0.001");
-  const auto outcome = value_named<Outcome>(range.name);
-  if (!outcome)
-    throw InputError(limit_flag,
-                     fmt::format("\"{}\": {}", text, format_unknown_name(range.name, all_names<Outcome>())));
-  Limit limit{.outcome = *outcome};
-  if (range.low.empty() && range.high.empty())
-    throw InputError(limit_flag, fmt::format("\"{}\": a number is missing before or after the colon", text));
-  if (!range.low.empty()) limit.low = number(range.low, text, limit_flag);
-  if (!range.high.empty()) limit.high = number(range.high, text, limit_flag);
-  require_order(limit.low, limit.high, text, limit_flag);
-  return limit;
+std::vector<Limit> parse_limits(const std::vector<std::string>& texts) {
+  std::vector<Limit> limits;
+  for (const std::string& text : texts) {
+    const Limit limit = parse_limit(text);
+    for (const Limit& other : limits)
+      if (other.outcome == limit.outcome)
+        throw InputError(limit_flag, fmt::format("\"{0}\" is named twice; write {0}=MIN:MAX once",
+                                                 to_text(limit.outcome)));
+    limits.push_back(limit);
+  }
+  return limits;
 }
 
 int Aims::constraints() const {
@@ -106,11 +124,12 @@ int Aims::constraints() const {
   return sides;
 }
 
-Trial Aims::trial_of(const Outcomes& outcomes) const {
+Trial Aims::trial_of(const Outcomes& outcomes, const Outcomes& typical) const {
   Trial trial;
   const double value = outcomes.at(objective).value;
   trial.value = is_maximised ? -value : value;
-  for (const Limit& limit : limits) append_excess(limit, outcomes.at(limit.outcome).value, trial.excess);
+  for (const Limit& limit : limits)
+    append_excess(limit, outcomes.at(limit.outcome).value, typical.at(limit.outcome).value, trial.excess);
   return trial;
 }
 

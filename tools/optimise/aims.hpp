@@ -38,8 +38,8 @@ struct Limit {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 };
 
-/// Parses NAME=:MAX, NAME=MIN: or NAME=MIN:MAX. Throws InputError.
-Limit parse_limit(const std::string& text);
+/// Parses NAME=:MAX, NAME=MIN: or NAME=MIN:MAX. Throws InputError, also if a name occurs twice.
+std::vector<Limit> parse_limits(const std::vector<std::string>& texts);
 
 /// The outcome that is to be large or small, and the limits of others.
 struct Aims {
@@ -49,8 +49,9 @@ struct Aims {
 
   /// Number of sides of all limits.
   int constraints() const;
-  /// Returns the trial of outcomes, which must contain the objective and all limited ones.
-  Trial trial_of(const Outcomes& outcomes) const;
+  /// Returns the trial of outcomes, which must contain the objective and all limited ones. `typical`:
+  /// outcomes whose sizes are the units of excesses over a limit of 0.
+  Trial trial_of(const Outcomes& outcomes, const Outcomes& typical) const;
   /// Throws InputError if the outcomes lack the objective or a limited one. `evaluator`: name of the method
   /// or model.
   void require_outcomes(const Outcomes& outcomes, const std::string& evaluator) const;

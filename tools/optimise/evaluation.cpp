@@ -63,7 +63,8 @@ class TheoryEvaluator : public Evaluator {
     const SwimmerType type = document.layout.resolved_type(swimmer_with(document.layout, predicted.swimmer));
     const std::vector<double> means = prediction.arm_means.value_or(rest_lengths(type));
     const std::vector<double>& amplitudes = prediction.stroke.amplitude;
-    if (means.size() == type.bonds.size() && amplitudes.size() == type.bonds.size())
+    const std::size_t arms = type.bonds.size();
+    if (arms > 0 && means.size() == arms && amplitudes.size() == arms)
       outcomes[Outcome::gap].value = smallest_arm_gap(type, means, amplitudes);
     return outcomes;
   }
@@ -78,8 +79,7 @@ class TemporaryFolder {
   TemporaryFolder() {
     std::string path = std::filesystem::temp_directory_path() / "beadswim-XXXXXX";
     if (mkdtemp(path.data()) == nullptr)
-      throw SolverError(path +
-                        ": the folder for temporary files cannot be created; set TMPDIR to another one");
+      throw InputError(path, "the folder for temporary files cannot be created; set TMPDIR to another one");
     path_ = path;
   }
   ~TemporaryFolder() {
@@ -94,15 +94,6 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
-
-std::vector<std::string> names_of_evaluators() {
-  std::vector<std::string> names;
-  for (const Method& method : methods())
-    if (method.input != Method::Input::stroke) names.push_back(method.name);
-  for (const std::string& model : all_names<RunModel>())
-    if (is_model(model)) names.push_back(model);
-  return names;
-}
 
 class ModelEvaluator : public Evaluator {
  public:
@@ -162,6 +153,7 @@ class ModelEvaluator : public Evaluator {
       }
     }
     const CycleStatistics& cycle = select_cycles(swimmer.cycles, last, source).front();
+    if (cycle.arm_means.empty()) return;
     const double gap = smallest_arm_gap(layout.resolved_type(swimmer_with(layout, swimmer.id)),
                                         cycle.arm_means, cycle.arm_amplitudes);
     const bool is_first = !sum.contains(Outcome::gap);
@@ -177,16 +169,26 @@ class ModelEvaluator : public Evaluator {
 
 }  // namespace
 
-std::unique_ptr<Evaluator> evaluator_named(const std::string& name, const std::string& flag,
-                                           const EvaluatorSettings& settings) {
-  if (is_model(name)) return std::make_unique<ModelEvaluator>(name, settings);
+std::unique_ptr<Evaluator> theory_evaluator(const std::string& name, const std::string& flag,
+                                            const std::vector<std::string>& others,
+                                            const EvaluatorSettings& settings) {
   const auto method = std::ranges::find(methods(), name, &Method::name);
-  if (method == methods().end()) throw InputError(flag, format_unknown_name(name, names_of_evaluators()));
+  if (method == methods().end()) {
+    std::vector<std::string> names;
+    for (const Method& each : methods())
+      if (each.input != Method::Input::stroke) names.push_back(each.name);
+    names.insert(names.end(), others.begin(), others.end());
+    throw InputError(flag, format_unknown_name(name, names));
+  }
   if (method->input == Method::Input::stroke)
     throw InputError(flag, fmt::format("{} needs a measured stroke, which belongs to one layout; name a "
                                        "method that computes the stroke",
                                        name));
   return std::make_unique<TheoryEvaluator>(name, settings);
+}
+
+std::unique_ptr<Evaluator> model_evaluator(const std::string& name, const EvaluatorSettings& settings) {
+  return std::make_unique<ModelEvaluator>(name, settings);
 }
 
 bool is_model(const std::string& name) {

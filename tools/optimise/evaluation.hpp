@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "beadswim/core/names.hpp"
 #include "beadswim/documents/layout_document.hpp"
@@ -53,9 +54,14 @@ struct EvaluatorSettings {
 /// last cycles count, and needs an MpiSession.
 bool is_model(const std::string& name);
 
-/// Returns the evaluator by the theory method or the model of that name. Throws InputError if there
-/// is none. `flag`: flag of the command line for the message.
-std::unique_ptr<Evaluator> evaluator_named(const std::string& name, const std::string& flag,
-                                           const EvaluatorSettings& settings);
+/// Returns the evaluator by the theory method of that name. Throws InputError if there is none, or if it
+/// needs a measured stroke. `flag`: flag of the command line for the message; `others`: names that the flag
+/// takes too.
+std::unique_ptr<Evaluator> theory_evaluator(const std::string& name, const std::string& flag,
+                                            const std::vector<std::string>& others,
+                                            const EvaluatorSettings& settings);
+
+/// Returns the evaluator by the model of that name. Throws InputError if temporary files cannot be written.
+std::unique_ptr<Evaluator> model_evaluator(const std::string& name, const EvaluatorSettings& settings);
 
 }  // namespace beadswim

@@ -5,16 +5,17 @@
 #include <filesystem>
 #include <optional>
 
+#include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/documents/failure_document.hpp"
 #include "beadswim/plan/run_settings.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/tools/named_flags.hpp"
-#include "beadswim/tools/stream_jobs.hpp"
 #include "layout_filter.hpp"
 #include "optimisation.hpp"
 
-// beadswim-optimise searches the values of a few quantities of a layout for which a swimmer swims fastest,
-// farthest per energy, and so on.
+// beadswim-optimise searches for the values of a few quantities of a layout with which a swimmer swims
+// fastest, most efficiently, and so on.
 
 namespace beadswim {
 namespace {
@@ -27,6 +28,11 @@ struct Flags {
   int seed = 1;
   EvaluatorSettings evaluator;
 };
+
+/// Default of --evaluations, for the number of free values.
+int default_evaluations(int dimensions) {
+  return dimensions == 1 ? 100 : 200 * dimensions;
+}
 
 /// Objectives are all outcomes but the gap.
 std::vector<std::string> objectives() {
@@ -49,24 +55,25 @@ void add_objective(CLI::App& program, const std::string& flag, std::optional<Out
 std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
   auto program =
       make_program(optimise_name,
-                   "Searches the values of a few quantities of a layout for which its swimmer swims "
+                   "Searches for the values of a few quantities of a layout with which its swimmer swims "
                    "fastest, most efficiently or with least power. Writes the layout with these "
                    "values.");
   add_layout_files(*program, flags.files);
   program
       ->add_option("--free", flags.free,
-                   "What may change (a flag of beadswim-layout swimmer without --, or a JSON pointer; "
-                   "several have equal values), and its bounds. Repeatable")
+                   "A quantity that may change (a flag of beadswim-layout swimmer without --, or a JSON "
+                   "pointer; several take equal values), and its bounds. Repeatable")
       ->type_name("NAME[,NAME...]=FROM:TO")
       ->required()
       ->allow_extra_args(false);
-  add_objective(*program, "--maximise", flags.maximise, "What is to be as large as possible");
-  add_objective(*program, "--minimise", flags.minimise, "What is to be as small as possible, signs included");
+  add_objective(*program, "--maximise", flags.maximise, "Result that is to be as large as possible");
+  add_objective(*program, "--minimise", flags.minimise,
+                "Result that is to be as small as possible, with its sign");
   program
       ->add_option(
           "--subject-to", flags.limits,
           "A limit of velocity, angular_velocity, efficiency, power, or of gap, the smallest between "
-          "the beads of an arm. Repeat the flag for more.")
+          "the beads of an arm. Repeatable")
       ->type_name("NAME=[MIN]:[MAX]")
       ->default_str("none")
       ->allow_extra_args(false);
@@ -98,7 +105,7 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
   program->add_option("--evaluations", flags.evaluations, "Largest number of evaluations of the search")
       ->type_name("N")
       ->check(whole_number(10, 1000000))
-      ->default_str("100 per free quantity");
+      ->default_str("100; for several free values 200 per value");
   program
       ->add_option("--seed", flags.seed,
                    "Seed of the random numbers of the search for four quantities or more")
@@ -120,64 +127,156 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
 Aims aims_of(const Flags& flags) {
   if (flags.maximise.has_value() == flags.minimise.has_value())
     throw InputError("--maximise", "name one objective with --maximise or --minimise");
-  Aims aims;
-  aims.is_maximised = flags.maximise.has_value();
-  aims.objective = aims.is_maximised ? *flags.maximise : *flags.minimise;
-  for (const std::string& text : flags.limits) aims.limits.push_back(parse_limit(text));
-  return aims;
+  const bool is_maximised = flags.maximise.has_value();
+  return {.objective = is_maximised ? *flags.maximise : *flags.minimise,
+          .is_maximised = is_maximised,
+          .limits = parse_limits(flags.limits)};
 }
 
 void require_compatible(const Flags& flags) {
   if (is_model(flags.method))
     throw InputError("--method",
-                     fmt::format("{0} is a model of beadswim-run; write --model {0}", flags.method));
+                     fmt::format("{} is a model of beadswim-run; use --model or --verify-by", flags.method));
   if (flags.evaluator.cycles && flags.model.empty() && !is_model(flags.verify_by))
     throw InputError("--cycles", "is for models only; leave it out, or name a model");
 }
 
 /// Throws InputError if the trace cannot be written, or would replace an input.
 void require_trace(const Flags& flags) {
+  namespace fs = std::filesystem;
   if (flags.trace.empty()) return;
   for (const std::string& file : flags.files) require_other_file(file, flags.trace);
-  const std::filesystem::path path(flags.trace);
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  if (std::filesystem::is_directory(path) || access(folder.c_str(), W_OK) != 0)
+  const fs::path path(flags.trace), folder = path.has_parent_path() ? path.parent_path() : ".";
+  std::error_code ignored;
+  const bool is_other = fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
+  if (flags.trace == "-" || is_other || access(folder.c_str(), W_OK) != 0)
     throw InputError("--trace",
                      fmt::format("\"{}\" cannot be written; name a file in a folder that exists and "
                                  "that you may write to",
                                  flags.trace));
 }
 
+/// Initialises MPI, which models need. Throws InputError on more than one rank.
+std::unique_ptr<MpiSession> mpi_for_models(int argc, char** argv) {
+  auto mpi = std::make_unique<MpiSession>(&argc, &argv);
+  if (Communicator(MPI_COMM_WORLD).size() > 1)
+    throw InputError("mpirun", "the program uses one rank; start it without mpirun");
+  return mpi;
+}
+
+NamedEvaluator evaluator_of(const Flags& flags) {
+  if (!flags.model.empty()) return {flags.model, model_evaluator(flags.model, flags.evaluator)};
+  return {flags.method, theory_evaluator(flags.method, "--method", {}, flags.evaluator)};
+}
+
+NamedEvaluator verifier_of(const Flags& flags) {
+  const std::string& name = flags.verify_by;
+  if (is_model(name)) return {name, model_evaluator(name, flags.evaluator)};
+  std::vector<std::string> models;
+  for (const std::string& model : all_names<RunModel>())
+    if (is_model(model)) models.push_back(model);
+  return {name, theory_evaluator(name, "--verify-by", models, flags.evaluator)};
+}
+
+/// The search for all layouts of the command line.
+class Searches {
+ public:
+  Searches(const Flags& flags, const CLI::App& program)
+      : flags_(flags),
+        program_(program),
+        aims_(aims_of(flags)),
+        free_(parse_free_values(flags.free)),
+        layouts_(flags.files),
+        by_(evaluator_of(flags)) {
+    if (!flags.verify_by.empty()) verifier_ = verifier_of(flags);
+    for (; const auto member = layouts_.next(); ++count_) Optimisation(*member, aims_, free_, by_, trace_);
+    layouts_.rewind();
+  }
+
+  /// Writes the layouts that were found, or failures in their place. Throws InputError or SolverError if
+  /// one has none.
+  void run() {
+    while (const auto member = layouts_.next()) {
+      if (layouts_.is_single()) {
+        write(find(*member));
+        continue;
+      }
+      try {
+        write(find(*member));
+      } catch (const InputError& error) {
+        write_failure(*member, error.what());
+      } catch (const SolverError& error) {
+        write_failure(*member, error.what());
+      }
+    }
+    if (failed_ > 0)
+      throw SolverError(
+          fmt::format("{} of {} layouts have no result: see the key \"reason\" of documents with "
+                      "\"status\": \"failed\"",
+                      failed_, count_));
+    if (unverified_ > 0)
+      throw SolverError(fmt::format("{} could not verify what was found", flags_.verify_by));
+  }
+
+  std::string trace() const { return read_all(trace_); }
+
+ private:
+  LayoutDocument find(const StreamMember& member) {
+    const int dimensions = static_cast<int>(free_.size());
+    Optimisation optimisation(member, aims_, free_, by_, trace_);
+    optimisation.begin();
+    if (verifier_ && !is_model(verifier_->name)) optimisation.require_treated_by(*verifier_);
+    optimisation.find({.constraints = aims_.constraints(),
+                       .evaluations = flags_.evaluations.value_or(default_evaluations(dimensions)),
+                       .seed = static_cast<unsigned long>(flags_.seed)});
+    unverified_ += verifier_ && !optimisation.verify(*verifier_);
+    return optimisation.best();
+  }
+
+  void write(LayoutDocument layout) const {
+    layout.provenance.push_back(provenance_record(program_));
+    const Json json = layout_to_json(layout);
+    write_text("-", layouts_.is_single() && !layouts_.is_lines() ? dump_json(json) : dump_json_line(json));
+  }
+
+  void write_failure(const StreamMember& member, const std::string& reason) {
+    ++failed_;
+    write_text("-", dump_json_line(failure_to_json({.program = optimise_name,
+                                                    .member = member.number,
+                                                    .reason = reason,
+                                                    .study = layout_of(member).study})));
+  }
+
+  const Flags& flags_;
+  const CLI::App& program_;
+  const Aims aims_;
+  const std::vector<FreeValue> free_;
+  DocumentStream layouts_;
+  const OpenFile trace_ = temporary_file();
+  const NamedEvaluator by_;
+  std::optional<NamedEvaluator> verifier_;
+  int count_ = 0, failed_ = 0, unverified_ = 0;
+};
+
 int run(int argc, char** argv) {
   Flags flags;
   const auto program = optimise_program(flags);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
-  const Aims aims = aims_of(flags);
-  const std::vector<FreeValue> free = parse_free_values(flags.free);
   require_compatible(flags);
   require_trace(flags);
-  const std::string& by = flags.model.empty() ? flags.method : flags.model;
-  std::optional<MpiSession> mpi;
-  if (is_model(by) || is_model(flags.verify_by)) mpi.emplace(&argc, &argv);
-  const NamedEvaluator evaluator{by, evaluator_named(by, "--method", flags.evaluator)};
-  std::optional<NamedEvaluator> verifier;
-  if (!flags.verify_by.empty())
-    verifier = {flags.verify_by, evaluator_named(flags.verify_by, "--verify-by", flags.evaluator)};
-
-  const int dimensions = static_cast<int>(free.size());
-  const int evaluations = flags.evaluations.value_or(100 * dimensions);
-  OpenFile trace = temporary_file();
-  filter_layouts(flags.files, *program, FilterOutput::like_input,
-                 [&](const StreamMember& member, const LayoutDocument&, const auto& emit) {
-                   Optimisation optimisation(member, aims, free, evaluator, trace);
-                   optimisation.begin();
-                   optimisation.find({.constraints = aims.constraints(),
-                                      .evaluations = evaluations,
-                                      .seed = static_cast<unsigned long>(flags.seed)});
-                   if (verifier) optimisation.verify(*verifier);
-                   emit(optimisation.best());
-                 });
-  if (!flags.trace.empty()) write_text(flags.trace, read_all(trace));
+  std::unique_ptr<MpiSession> mpi;
+  if (is_model(flags.model) || is_model(flags.verify_by)) mpi = mpi_for_models(argc, argv);
+  Searches searches(flags, *program);
+  const auto write_trace = [&] {
+    if (!flags.trace.empty()) write_text(flags.trace, searches.trace());
+  };
+  try {
+    searches.run();
+  } catch (...) {
+    write_trace();
+    throw;
+  }
+  write_trace();
   return static_cast<int>(ExitStatus::fine);
 }
 

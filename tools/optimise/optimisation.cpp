@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <random>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/tools/stream_jobs.hpp"
@@ -12,6 +13,10 @@ namespace beadswim {
 namespace {
 
 constexpr double flat_share = 0.01;  // loss of the objective in the ranges that are reported
+
+void say(const std::string& text) {
+  print_to_stderr(fmt::format("{}: {}\n", optimise_name, text));
+}
 
 /// Adds all outcomes to a line of the trace; those that are missing or not finite are null.
 void append_outcomes(const Outcomes& outcomes, Json& line) {
@@ -28,44 +33,101 @@ Json study_of(const StudyPoint& point) {
   return study;
 }
 
-}  // namespace
-
-void say(const std::string& text) {
-  print_to_stderr(fmt::format("{}: {}\n", optimise_name, text));
+/// Removes the results of an earlier search for the same values from the study of a layout.
+void remove_earlier_results(const std::vector<FreeValue>& free, Json& layout) {
+  if (!layout.contains("study")) return;
+  Json& study = layout["study"];
+  for (const FreeValue& value : free)
+    for (const std::string& name : value.names)
+      for (const char* end : {"", "_from", "_to"}) study.erase(name + end);
+  const Json former = study;
+  for (const auto& [key, value] : former.items())
+    for (const auto& [outcome, name] : name_table<Outcome>)
+      if (key == name || key.starts_with(std::string(name) + "_by_")) study.erase(key);
+  if (study.empty()) layout.erase("study");
 }
 
-Optimisation::Optimisation(const StreamMember& member, const Aims& aims, const std::vector<FreeValue>& free,
+/// Returns positions for first trials: the centre, two corners, and random positions, always the same.
+std::vector<Position> first_positions(std::size_t dimensions) {
+  std::vector<Position> positions;
+  for (const double coordinate : {0.5, 0.0, 1.0}) positions.emplace_back(dimensions, coordinate);
+  std::mt19937 random;  // of default seed
+  while (positions.size() < 64) {
+    Position& position = positions.emplace_back();
+    for (std::size_t i = 0; i < dimensions; ++i) position.push_back(random() * 0x1p-32);
+  }
+  return positions;
+}
+
+}  // namespace
+
+Optimisation::Optimisation(StreamMember member, const Aims& aims, const std::vector<FreeValue>& free,
                            const NamedEvaluator& by, const OpenFile& trace)
-    : member_(member),
-      layout_(parse_json(member.text, member.source)),
+    : member_(std::move(member)),
+      layout_(parse_json(member_.text, member_.source)),  // as it is: rest lengths without a value stay so
       aims_(aims),
       free_(free),
       by_(by),
-      trace_(trace) {}
-
-void Optimisation::begin() {
-  require_valid_layouts();
-  try {
-    given_ = by_.evaluator->evaluate(layout_of(member_), member_.source);
-  } catch (const SolverError& error) {
-    record("given", Json::object(), {}, error.what());
-    return;
-  }
-  aims_.require_outcomes(*given_, by_.name);
-  record("given", Json::object(), *given_);
+      trace_(trace) {
+  layout_of(member_);  // throws if it is invalid
+  remove_earlier_results(free_, layout_);
+  require_numbers();
+  find_valid_positions();
 }
 
-/// Throws InputError, with the reason for one of them, if the layouts in the middle and at the ends of all
-/// bounds are invalid.
-void Optimisation::require_valid_layouts() const {
-  for (const double coordinate : {0.5, 0.0, 1.0}) {
-    try {
-      with_values(layout_, study_point(free_, Position(free_.size(), coordinate)), member_.source, free_flag);
-      return;
-    } catch (const InputError&) {
-      if (coordinate == 1.0) throw;
+/// Throws InputError if a JSON pointer leads to a word.
+void Optimisation::require_numbers() const {
+  for (const FreeValue& value : free_) {
+    for (const std::string& name : value.names) {
+      if (!name.starts_with('/') || !layout_.contains(Json::json_pointer(name))) continue;
+      if (!layout_.at(Json::json_pointer(name)).is_number())
+        throw InputError(free_flag, fmt::format("\"{}\" leads to no number in {}", name, member_.source));
     }
   }
+}
+
+/// Throws InputError, with the reason for one of them, if no layout is valid.
+void Optimisation::find_valid_positions() {
+  std::string reason;
+  for (const Position& position : first_positions(free_.size())) {
+    try {
+      with_values(layout_, study_point(free_, position), member_.source, free_flag);
+      valid_.push_back(position);
+    } catch (const InputError& error) {
+      reason = error.what();
+    }
+  }
+  if (valid_.empty()) throw InputError(reason);
+}
+
+void Optimisation::begin() {
+  std::string reason;
+  const auto take = [&](const Outcomes& outcomes) {
+    aims_.require_outcomes(outcomes, by_.name);
+    typical_ = outcomes;
+  };
+  const auto is_taken = [&](const LayoutDocument& layout, const std::string& stage, const Json& study) {
+    Outcomes outcomes;
+    try {
+      outcomes = by_.evaluator->evaluate(layout, member_.source);
+      take(outcomes);
+    } catch (const InputError& error) {
+      reason = error.what();
+    } catch (const SolverError& error) {
+      reason = error.what();
+    }
+    record(stage, study, outcomes, typical_ ? "" : reason);
+    return typical_.has_value();
+  };
+  if (is_taken(layout_of(member_), "given", Json::object())) {
+    given_ = typical_;
+    return;
+  }
+  for (const Position& position : valid_) {
+    const StudyPoint point = study_point(free_, position);
+    if (is_taken(with_values(layout_, point, member_.source, free_flag), "first", study_of(point))) return;
+  }
+  throw InputError(reason);
 }
 
 void Optimisation::find(const SearchSettings& settings) {
@@ -75,49 +137,71 @@ void Optimisation::find(const SearchSettings& settings) {
     progress.update(done++);
     return evaluate(position, "search");
   };
-  const SearchResult found = search(static_cast<int>(free_.size()), evaluate_for_search, settings);
+  SearchResult found = search(static_cast<int>(free_.size()), evaluate_for_search, settings);
   require_found(found);
+  find_ranges(found);
   best_ = with_values(layout_, study_point(free_, found.best), member_.source, free_flag);
   outcomes_ = by_.evaluator->evaluate(best_, member_.source);
   best_.study[to_text(aims_.objective)] = outcomes_.at(aims_.objective).value;
-  report_best(found);
-  for (int i = 0; i < static_cast<int>(free_.size()); ++i) find_range(found, i);
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    best_.study[free_[i].names.front() + "_from"] = free_[i].at(ranges_[i].first);
+    best_.study[free_[i].names.front() + "_to"] = free_[i].at(ranges_[i].second);
+  }
+  report(found);
 }
 
-void Optimisation::verify(const NamedEvaluator& other) {
+void Optimisation::require_treated_by(const NamedEvaluator& other) const {
+  if (given_)
+    aims_.require_outcomes(other.evaluator->evaluate(layout_of(member_), member_.source), other.name);
+}
+
+bool Optimisation::verify(const NamedEvaluator& other) {
   const std::string objective = to_text(aims_.objective);
-  const Outcomes outcomes = other.evaluator->evaluate(best_, member_.source);
-  aims_.require_outcomes(outcomes, other.name);
-  const double value = outcomes.at(aims_.objective).value, ours = outcomes_.at(aims_.objective).value;
-  say(fmt::format("{}: {} {:.6g}, {:+.2g} % from {}", other.name, objective, value,
-                  100 * (value - ours) / std::abs(ours), by_.name));
-  record("verification", best_.study, outcomes);
-  best_.study[fmt::format("{}_by_{}", objective, other.name)] = value;
+  std::string reason;
+  try {
+    const Outcomes outcomes = other.evaluator->evaluate(best_, member_.source);
+    aims_.require_outcomes(outcomes, other.name);
+    const double value = outcomes.at(aims_.objective).value, ours = outcomes_.at(aims_.objective).value;
+    const std::string difference =
+        ours == 0 ? "" : fmt::format(", {:+.2g} % from {}", 100 * (value - ours) / std::abs(ours), by_.name);
+    say(fmt::format("{}: {} {:.6g}{}", other.name, objective, value, difference));
+    report_limits(outcomes, other.name + ": ");
+    record("verification", best_.study, outcomes);
+    best_.study[fmt::format("{}_by_{}", objective, other.name)] = value;
+    return true;
+  } catch (const InputError& error) {
+    reason = error.what();
+  } catch (const SolverError& error) {
+    reason = error.what();
+  }
+  say(fmt::format("{} cannot verify the layout that was found: {}", other.name, reason));
+  record("verification", best_.study, {}, reason);
+  return false;
 }
 
 Trial Optimisation::evaluate(const Position& position, const std::string& stage) {
   const StudyPoint point = study_point(free_, position);
+  Outcomes outcomes;
   try {
     const LayoutDocument layout = with_values(layout_, point, member_.source, free_flag);
-    const Outcomes outcomes = by_.evaluator->evaluate(layout, member_.source);
+    outcomes = by_.evaluator->evaluate(layout, member_.source);
     aims_.require_outcomes(outcomes, by_.name);
-    const Trial trial = aims_.trial_of(outcomes);
-    record(stage, study_of(point), outcomes, "", trial.is_feasible());
-    return trial;
+    record(stage, study_of(point), outcomes);
+    return aims_.trial_of(outcomes, *typical_);
   } catch (const InputError& error) {
     reason_ = error.what();
   } catch (const SolverError& error) {
     reason_ = error.what();
   }
-  record(stage, study_of(point), {}, reason_);
+  record(stage, study_of(point), outcomes, reason_);
   return {};
 }
 
 void Optimisation::record(const std::string& stage, const Json& study, const Outcomes& outcomes,
-                          const std::string& reason, std::optional<bool> is_feasible) {
+                          const std::string& reason) {
   Json line{{"layout", member_.number}, {"stage", stage}, {"evaluation", ++recorded_}, {"study", study}};
   append_outcomes(outcomes, line);
-  line["feasible"] = is_feasible ? Json(*is_feasible) : Json();
+  line["feasible"] = reason.empty() ? Json(aims_.trial_of(outcomes, *typical_).is_feasible()) : Json();
   line["reason"] = reason.empty() ? Json() : Json(reason);
   append(trace_, dump_json_line(line));
 }
@@ -133,37 +217,69 @@ void Optimisation::require_found(const SearchResult& found) const {
                   member_.source, found.evaluations, found.trial.largest_excess()));
 }
 
-void Optimisation::report_best(const SearchResult& found) const {
-  const ResultValue& value = outcomes_.at(aims_.objective);
-  say(fmt::format("{}: {} {:.6g}{}{}, after {} evaluations by {}, then {}", member_.source,
-                  to_text(aims_.objective), value.value,
-                  value.error > 0 ? fmt::format(" ± {:.2g}", value.error) : "",
-                  given_ ? fmt::format(" ({:.6g} as given)", given_->at(aims_.objective).value) : "",
-                  found.evaluations, found.global, found.local));
-  if (const auto gap = outcomes_.find(Outcome::gap); gap != outcomes_.end() && gap->second.value <= 0)
-    say(fmt::format("warning: beads of an arm overlap in their stroke (gap {:.3g}); add --subject-to gap=0:",
-                    gap->second.value));
-  for (const Limit& limit : aims_.limits) {
-    const double reached = outcomes_.at(limit.outcome).value;
-    for (const double bound : {limit.low, limit.high})
-      if (std::isfinite(bound) && std::abs(reached - bound) <= 1e-4 * std::abs(bound))
-        say(fmt::format("{} = {:.6g} is at its limit", to_text(limit.outcome), reached));
+/// Finds the ranges around the best position. If a position in them is better, it takes the place of the
+/// best.
+void Optimisation::find_ranges(SearchResult& found) {
+  constexpr int most_rounds = 3;
+  constexpr double noticeable = 1e-7;  // of the objective
+  for (int round = 0; round < most_rounds; ++round) {
+    SearchResult better = found;
+    const auto evaluate_for_range = [&](const Position& position) {
+      const Trial trial = evaluate(position, "range");
+      if (trial.is_feasible() && *trial.value < *better.trial.value) {
+        better.best = position;
+        better.trial = trial;
+      }
+      return trial;
+    };
+    ranges_.clear();
+    for (int i = 0; i < static_cast<int>(free_.size()); ++i)
+      ranges_.push_back(flat_range(found, i, flat_share, evaluate_for_range));
+    if (*found.trial.value - *better.trial.value <= noticeable * std::abs(*found.trial.value)) return;
+    found = better;
   }
 }
 
-void Optimisation::find_range(const SearchResult& found, int index) {
+void Optimisation::report(const SearchResult& found) const {
+  const std::string objective = to_text(aims_.objective);
+  const ResultValue& value = outcomes_.at(aims_.objective);
+  say(fmt::format("{}: {} {:.6g}{}{}, after {} evaluations by {}, then {}", member_.source, objective,
+                  value.value, value.error > 0 ? fmt::format(" ± {:.2g}", value.error) : "",
+                  given_ ? fmt::format(" ({:.6g} as given)", given_->at(aims_.objective).value) : "",
+                  found.evaluations, found.global, found.local));
+  if (!found.has_converged)
+    say("warning: the search ended at its largest number of evaluations; more --evaluations can find more");
+  if (const auto gap = outcomes_.find(Outcome::gap); gap != outcomes_.end() && gap->second.value <= 0)
+    say(fmt::format("warning: beads of an arm overlap in their stroke (gap {:.3g}); add --subject-to gap=0:",
+                    gap->second.value));
+  report_limits(outcomes_, "");
   constexpr double near_bound = 1e-4;
-  const auto [low, high] = flat_range(
-      found, index, flat_share, [this](const Position& position) { return evaluate(position, "range"); });
-  const FreeValue& free = free_[static_cast<std::size_t>(index)];
-  const double place = found.best[static_cast<std::size_t>(index)];
-  best_.study[free.names.front() + "_from"] = free.at(low);
-  best_.study[free.names.front() + "_to"] = free.at(high);
-  const char* bound = place < near_bound       ? ", at its lower bound"
-                      : place > 1 - near_bound ? ", at its upper bound"
-                                               : "";
-  say(fmt::format("{} = {:.6g}{}; {} at most 1 % worse from {:.4g} to {:.4g}", fmt::join(free.names, ", "),
-                  free.at(place), bound, to_text(aims_.objective), free.at(low), free.at(high)));
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const FreeValue& free = free_[i];
+    const auto& [low, high] = ranges_[i];
+    const double place = found.best[i];
+    const char* bound = place < near_bound       ? ", at its lower bound"
+                        : place > 1 - near_bound ? ", at its upper bound"
+                                                 : "";
+    say(fmt::format("{} = {:.6g}{}; {} at most 1 % worse from {:.4g} to {:.4g}", fmt::join(free.names, ", "),
+                    free.at(place), bound, objective, free.at(low), free.at(high)));
+  }
+}
+
+/// Reports limits that are reached or exceeded. `by`: start of the message.
+void Optimisation::report_limits(const Outcomes& outcomes, const std::string& by) const {
+  constexpr double reached = 1e-4;  // distance from a limit, relative to it
+  for (const Limit& limit : aims_.limits) {
+    const double value = outcomes.at(limit.outcome).value;
+    const Aims one{.objective = aims_.objective, .limits = {limit}};
+    const Trial trial = one.trial_of(outcomes, *typical_);
+    const double excess = std::ranges::max(trial.excess);
+    if (excess > reached) {
+      say(fmt::format("{}{} = {:.6g} is outside its limits", by, to_text(limit.outcome), value));
+    } else if (excess > -reached) {
+      say(fmt::format("{}{} = {:.6g} is at its limit", by, to_text(limit.outcome), value));
+    }
+  }
 }
 
 }  // namespace beadswim

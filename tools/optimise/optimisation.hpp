@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "aims.hpp"
@@ -15,9 +17,6 @@ namespace beadswim {
 
 constexpr const char* optimise_name = "beadswim-optimise";
 
-/// Prints a line of the report on standard error.
-void say(const std::string& text);
-
 /// A theory method or a model with its name.
 struct NamedEvaluator {
   std::string name;
@@ -27,20 +26,24 @@ struct NamedEvaluator {
 /// The search for the best values of one layout. It reports on standard error.
 class Optimisation {
  public:
-  /// `trace`: takes a line of JSON per evaluation. The arguments must exist as long as the object.
-  Optimisation(const StreamMember& member, const Aims& aims, const std::vector<FreeValue>& free,
+  /// Throws InputError if a free quantity does not exist, or if no layout was found in the bounds that is
+  /// valid. `trace`: takes a line of JSON per evaluation. The arguments must exist as long as the object.
+  Optimisation(StreamMember member, const Aims& aims, const std::vector<FreeValue>& free,
                const NamedEvaluator& by, const OpenFile& trace);
 
-  /// Evaluates the layout as it is. Throws InputError if the method cannot treat it or does not give the
-  /// outcomes of the aims, if a free quantity does not exist, or if no layout in the bounds is valid.
+  /// Evaluates the layout as it is, or if that fails others in the bounds. Throws InputError if none can be
+  /// evaluated, or if none gives the outcomes of the aims.
   void begin();
 
   /// Searches, and finds the ranges in which the objective is at most 1 % worse. Throws SolverError if no
   /// layout satisfies the limits.
   void find(const SearchSettings& settings);
 
-  /// Evaluates the layout that was found by another method or model.
-  void verify(const NamedEvaluator& other);
+  /// Throws InputError if another method cannot treat the layout as it is, or does not give the outcomes.
+  void require_treated_by(const NamedEvaluator& other) const;
+
+  /// Evaluates the layout that was found by another method or model. Returns false if this fails.
+  bool verify(const NamedEvaluator& other);
 
   /// Returns the layout that was found. Its study has the values found with the ends of their ranges,
   /// NAME_from and NAME_to (of the first name of a free value), and the objective, also as
@@ -48,21 +51,26 @@ class Optimisation {
   const LayoutDocument& best() const { return best_; }
 
  private:
-  void require_valid_layouts() const;
+  void require_numbers() const;
+  void find_valid_positions();
   Trial evaluate(const Position& position, const std::string& stage);
   void record(const std::string& stage, const Json& study, const Outcomes& outcomes,
-              const std::string& reason = "", std::optional<bool> is_feasible = {});
+              const std::string& reason = "");
   void require_found(const SearchResult& found) const;
-  void report_best(const SearchResult& found) const;
-  void find_range(const SearchResult& found, int index);
+  void find_ranges(SearchResult& found);
+  void report(const SearchResult& found) const;
+  void report_limits(const Outcomes& outcomes, const std::string& by) const;
 
-  const StreamMember& member_;
+  StreamMember member_;
   Json layout_;
   const Aims& aims_;
   const std::vector<FreeValue>& free_;
   const NamedEvaluator& by_;
   const OpenFile& trace_;
-  std::optional<Outcomes> given_;  ///< outcomes of the layout as it is; nullopt: a run failed
+  std::vector<Position> valid_;      ///< positions whose layouts are valid
+  std::optional<Outcomes> given_;    ///< outcomes of the layout as it is; nullopt: it cannot be evaluated
+  std::optional<Outcomes> typical_;  ///< those of the first layout that was evaluated
+  std::vector<std::pair<double, double>> ranges_;  ///< ends of the range of each free value
   LayoutDocument best_;
   Outcomes outcomes_;   ///< of `best_`
   std::string reason_;  ///< why a layout could last not be evaluated

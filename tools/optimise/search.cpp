@@ -2,20 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <map>
 #include <nlopt.hpp>
 
 namespace beadswim {
 namespace {
 
-constexpr double rounding = 1e-9;         // relative excess of a constraint that counts as none
 constexpr double smallest_change = 1e-5;  // of a position, at the end of the local search
 constexpr double barrier = 1e6;           // above all values of feasible positions, which are about 1
 constexpr double no_value = 2 * barrier;  // where the function does not exist
 constexpr double global_share = 0.6;      // of the evaluations
 constexpr int round_share = 100;          // evaluations per number in a round of the search
-/// Distance that the local search keeps from the limits of constraints: its linear models lead to positions
-/// that violate them by less.
+/// Distance from the limits of constraints at which the local search aims. Its linear models are wrong by
+/// less, so that its positions satisfy the constraints.
 constexpr double margin = 1e-6;
 
 bool is_better(const Trial& trial, const Trial& than) {
@@ -25,7 +25,8 @@ bool is_better(const Trial& trial, const Trial& than) {
   return trial.largest_excess() < than.largest_excess();
 }
 
-/// Evaluates each position once and keeps the best.
+/// Evaluates each position once and keeps the best. NLopt replaces exceptions of its functions by its own, so
+/// the first one is kept for rethrow().
 class Trials {
  public:
   explicit Trials(const EvaluateTrial& evaluate) : evaluate_(evaluate) {}
@@ -33,7 +34,7 @@ class Trials {
   const Trial& at(const Position& position) {
     const auto known = trials_.find(position);
     if (known != trials_.end()) return known->second;
-    const Trial& trial = trials_.emplace(position, evaluate_(position)).first->second;
+    const Trial& trial = trials_.emplace(position, evaluated(position)).first->second;
     if (scale_ == 0 && trial.value) scale_ = std::abs(*trial.value);
     if (result_.best.empty() || is_better(trial, result_.trial)) {
       result_.best = position;
@@ -50,9 +51,23 @@ class Trials {
   const SearchResult& result() const { return result_; }
   /// Returns whether there were positions without a value.
   bool have_gaps() const { return have_gaps_; }
+  /// Throws the exception of an evaluation, if there was one.
+  void rethrow() const {
+    if (exception_) std::rethrow_exception(exception_);
+  }
 
  private:
+  Trial evaluated(const Position& position) {
+    try {
+      return evaluate_(position);
+    } catch (...) {
+      exception_ = std::current_exception();
+      throw nlopt::forced_stop();
+    }
+  }
+
   const EvaluateTrial& evaluate_;
+  std::exception_ptr exception_;
   std::map<Position, Trial> trials_;
   double scale_ = 0;
   bool have_gaps_ = false;
@@ -78,7 +93,7 @@ Algorithm global_algorithm(int dimensions) {
 
 Algorithm local_algorithm(int dimensions, int constraints, bool has_gaps) {
   if (constraints > 0) return {nlopt::LN_COBYLA, "COBYLA"};
-  if (has_gaps) return {nlopt::LN_SBPLX, "SBPLX"};
+  if (has_gaps) return {nlopt::LN_NELDERMEAD, "Nelder-Mead"};
   if (dimensions == 1) return {nlopt::LN_COBYLA, "COBYLA"};  // BOBYQA needs two
   return {nlopt::LN_BOBYQA, "BOBYQA"};
 }
@@ -97,12 +112,16 @@ nlopt::opt algorithm_for(const Algorithm& algorithm, int dimensions, int evaluat
   return made;
 }
 
-void optimise(nlopt::opt& algorithm, Position start) {
+/// Calls the algorithm. Returns true if it ended before its evaluations were used up.
+bool optimise(nlopt::opt& algorithm, Position start, const Trials& trials) {
   double least = 0;
   try {
-    algorithm.optimize(start, least);
+    return algorithm.optimize(start, least) != nlopt::MAXEVAL_REACHED;
   } catch (const nlopt::roundoff_limited&) {
-    // The result is as good as rounding errors allow.
+    return true;  // the result is as good as rounding errors allow
+  } catch (const std::exception&) {
+    trials.rethrow();
+    throw;
   }
 }
 
@@ -135,10 +154,11 @@ SearchResult search_once(int dimensions, const EvaluateTrial& evaluate, int cons
   const Algorithm global = global_algorithm(dimensions);
   nlopt::opt globally =
       algorithm_for(global, dimensions, static_cast<int>(std::lround(global_share * evaluations)), trials);
-  optimise(globally, Position(static_cast<std::size_t>(dimensions), 0.5));
+  optimise(globally, Position(static_cast<std::size_t>(dimensions), 0.5), trials);
 
   const int left = evaluations - trials.result().evaluations;
   const Algorithm local = local_algorithm(dimensions, constraints, trials.have_gaps());
+  bool has_converged = false;
   if (left > 0 && trials.result().trial.value) {
     nlopt::opt locally = algorithm_for(local, dimensions, left, trials);
     std::vector<LocalConstraint> all;
@@ -146,9 +166,10 @@ SearchResult search_once(int dimensions, const EvaluateTrial& evaluate, int cons
     if (constraints > 0) add_constraints(locally, all, trials);
     locally.set_initial_step(first_step);
     locally.set_xtol_abs(smallest_change);
-    optimise(locally, trials.result().best);
+    has_converged = optimise(locally, trials.result().best, trials);
   }
   SearchResult found = trials.result();
+  found.has_converged = has_converged;
   found.global = global.name;
   found.local = local.name;
   return found;
@@ -163,7 +184,7 @@ double Trial::largest_excess() const {
 }
 
 bool Trial::is_feasible() const {
-  return value && largest_excess() <= rounding;
+  return value && largest_excess() <= 0;
 }
 
 SearchResult search(int dimensions, const EvaluateTrial& evaluate, const SearchSettings& settings) {

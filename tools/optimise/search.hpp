@@ -20,8 +20,7 @@ struct Trial {
   std::vector<double> excess;   ///< of each constraint, relative to its limit; satisfied up to 0
 
   double largest_excess() const;  ///< 0 if all constraints are satisfied
-  /// A solution of the constraints to rounding errors, and the function exists.
-  bool is_feasible() const;
+  bool is_feasible() const;       ///< the function exists, and all constraints are satisfied
 };
 
 using EvaluateTrial = std::function<Trial(const Position&)>;
@@ -36,6 +35,7 @@ struct SearchResult {
   Position best;
   Trial trial;                    ///< at `best`; not feasible if no feasible position was found
   int evaluations = 0;            ///< number of calls of `evaluate`
+  bool has_converged = false;     ///< false: the evaluations were used up before
   std::string global{}, local{};  ///< names of the algorithms (nlopt.readthedocs.io)
 };
 
@@ -46,7 +46,7 @@ struct SearchResult {
 /// Global algorithm: DIRECT-L for up to three numbers, otherwise the controlled random search CRS2. Positions
 /// that are not feasible are worse than all that are. Local algorithm: the quadratic models of BOBYQA; with
 /// constraints or one number, the linear models of COBYLA; without constraints, where the global search has
-/// met positions without a value, the simplices of SBPLX.
+/// met positions without a value, the simplex of Nelder and Mead.
 SearchResult search(int dimensions, const EvaluateTrial& evaluate, const SearchSettings& settings);
 
 /// Returns how far one coordinate can move down and up from the best position of a search, the others being
