@@ -16,7 +16,7 @@ packages=(
   help2man dpkg-dev                                                      # manual pages, Debian package
   jq python3                                                             # scripts
 )
-readers=(python3-h5py python3-mdanalysis python3-jsonschema paraview python3-paraview)
+readers=(python3-pandas python3-h5py python3-mdanalysis python3-jsonschema paraview python3-paraview)
 readers+=(chromium)                                                      # tests of the page of beadswim-view
 # Node.js builds the page of beadswim-view. A Node.js that was not installed as a Debian package is sufficient, too.
 command -v node >/dev/null && command -v npm >/dev/null || packages+=(nodejs npm)

@@ -94,7 +94,7 @@ section "The page of beadswim-view in a browser"
 PATH=$programs:$PATH timeout 600 tests/view/run.sh "$root/build/$preset/tools/view/page" --none-skipped
 
 section "The commands of README and of pages; Python is the one whose readers were installed above"
-for page in README.md docs/tutorial.md docs/theory.md docs/shapes.md docs/studies.md docs/optimise.md docs/units.md docs/reading-results.md; do
+for page in README.md docs/tutorial.md docs/theory.md docs/shapes.md docs/studies.md docs/optimise.md docs/python.md docs/units.md docs/reading-results.md; do
   mkdir -p "$scratch/commands/$page"
   cd "$scratch/commands/$page"
   tested_commands "$root/$page" >commands.sh

@@ -16,8 +16,8 @@ lengthy() { # lines beyond 100 columns, and flags with over two lines of text
 }
 check "help is too long: $(lengthy | head -3)" test -z "$(lengthy)"
 flags help >known
-# Flags of scripts, cmake, srun, mpirun, jq and beadswim-verification.
-printf '%s\n' --build --install --prefix --mpi --signal --oversubscribe --slurpfile --quiet --report --with-readers >>known
+# Flags of scripts, cmake, srun, sbatch, mpirun, jq and beadswim-verification.
+printf '%s\n' --build --install --prefix --array --mpi --signal --oversubscribe --slurpfile --quiet --report --with-readers >>known
 
 while read -r flag; do
   check "$flag, which a page names, is no flag of any program" grep -qx -- "$flag" known

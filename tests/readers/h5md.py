@@ -22,6 +22,10 @@ def check_groups(file, expected):
     assert np.array_equal(beads["species"][:], expected.of_beads(lambda kind, bead: bead + 1))
     assert np.array_equal(beads["swimmer"][:], expected.swimmer_ids())
     assert np.array_equal(beads["radius"][:], expected.radii())
+    bonds = file["connectivity/bonds"]
+    assert bonds.attrs["particles_group"] and file[bonds.attrs["particles_group"]] == beads
+    first = 3 * np.arange(len(expected.swimmers))[:, None, None]
+    assert np.array_equal(bonds[:], (first + [[0, 1], [1, 2]]).reshape(-1, 2))
     layout = json.loads(file["parameters/layout"][()])
     assert len(layout.pop("provenance")) >= len(expected.layout["provenance"]) > 0
     assert layout == {key: value for key, value in expected.layout.items() if key != "provenance"}

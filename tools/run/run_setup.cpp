@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 
 #include "beadswim/core/version.hpp"
 #include "beadswim/plan/percent.hpp"
@@ -55,7 +56,13 @@ std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Reques
 TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan) {
   TrajectoryHeader header;
   header.box = document.layout.domain.box;
+  std::map<int, const SwimmerType*> types;  // by the id of the swimmer
+  for (const Swimmer& swimmer : document.layout.swimmers)
+    types[swimmer.id] = &document.layout.types.at(swimmer.type);
   for (const PlacedSwimmer& swimmer : plan.swimmers) {
+    const int first = static_cast<int>(header.bead.size());
+    for (const Bond& bond : types.at(swimmer.id)->bonds)
+      header.bonds.push_back({first + bond.beads[0], first + bond.beads[1]});
     for (std::size_t b = 0; b < plan.radii[swimmer.type].size(); ++b) {
       header.swimmer.push_back(swimmer.id);
       header.bead.push_back(static_cast<int>(b) + 1);

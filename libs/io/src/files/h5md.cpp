@@ -147,6 +147,10 @@ void TrajectoryWriter::create_groups(const TrajectoryHeader& header) {
   write_dataset(beads, "species", header.bead);
   write_dataset(beads, "swimmer", header.swimmer);
   write_dataset(beads, "radius", header.radius);
+  const H5Handle connectivity = create_group(file_, "connectivity");
+  write_dataset(connectivity, "bonds", header.bonds);
+  const H5Handle bonds(H5Dopen2(connectivity, "bonds", H5P_DEFAULT), H5Dclose, "connectivity/bonds");
+  write_reference(bonds, "particles_group", file_, "particles/beads");
   create_group(file_, "observables");
   create_group(file_, "swimmers");
 }

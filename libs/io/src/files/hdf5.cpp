@@ -138,4 +138,17 @@ void write_dataset(hid_t parent, const std::string& name, std::span<const double
   write_dataset_data(parent, name, H5T_NATIVE_DOUBLE, list_space(values.size()), values.data());
 }
 
+void write_dataset(hid_t parent, const std::string& name, std::span<const std::array<int, 2>> pairs) {
+  const std::array<hsize_t, 2> extents{pairs.size(), 2};
+  const H5Handle space(H5Screate_simple(2, extents.data(), nullptr), H5Sclose, "dataspace");
+  write_dataset_data(parent, name, H5T_NATIVE_INT, space, pairs.data());
+}
+
+void write_reference(hid_t object, const std::string& name, hid_t file, const std::string& target) {
+  hobj_ref_t reference = 0;
+  check_hdf5(H5Rcreate(&reference, file, target.c_str(), H5R_OBJECT, -1), "reference to " + target);
+  const H5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "dataspace");
+  write_attribute_data(object, name, H5T_STD_REF_OBJ, space, &reference);
+}
+
 }  // namespace beadswim

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <exception>
 #include <map>
@@ -24,10 +25,11 @@ namespace beadswim {
 
 /// Data of a trajectory that do not depend on time.
 struct TrajectoryHeader {
-  std::optional<Box> box{};    ///< empty in open space
-  std::vector<int> swimmer;    ///< id of the swimmer of each bead
-  std::vector<int> bead;       ///< number of each bead in its swimmer: 1, 2, ...
-  std::vector<double> radius;  ///< radius of each bead [length]
+  std::optional<Box> box{};                 ///< empty in open space
+  std::vector<int> swimmer;                 ///< id of the swimmer of each bead
+  std::vector<int> bead;                    ///< number of each bead in its swimmer: 1, 2, ...
+  std::vector<double> radius;               ///< radius of each bead [length]
+  std::vector<std::array<int, 2>> bonds{};  ///< indices of the two beads of each bond
   std::string creator_version;
   std::map<std::string, std::string> parameters;  ///< texts of the group /parameters: layout, units, ...
   std::vector<Column>

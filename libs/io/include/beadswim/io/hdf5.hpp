@@ -61,5 +61,9 @@ void write_attribute(hid_t object, const std::string& name, std::span<const std:
 void write_dataset(hid_t parent, const std::string& name, const std::string& text);
 void write_dataset(hid_t parent, const std::string& name, std::span<const int> values);
 void write_dataset(hid_t parent, const std::string& name, std::span<const double> values);
+void write_dataset(hid_t parent, const std::string& name, std::span<const std::array<int, 2>> pairs);
+
+/// Adds an attribute that refers to the object `target` of a file.
+void write_reference(hid_t object, const std::string& name, hid_t file, const std::string& target);
 
 }  // namespace beadswim
