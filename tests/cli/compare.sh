@@ -54,6 +54,15 @@ refuses '--method: the method "rpy-force-printed" is marked unusable' \
 refuses '--method: no reference contains the method "multipole-od"; did you mean "multipole-ode"' \
   beadswim-compare run.json prediction.json --method multipole-od
 
+# --- a long table has what decides and the best three; --all has all rows
+jq '.predictions |= (. + [.[] | .method += "-b"] + [.[] | .method += "-c"])' prediction.json >many.json
+run beadswim-compare run.json many.json --method multipole-ode
+check "the short table has $(grep -c '^velocity' err) rows of the velocity" test "$(grep -c '^velocity' err)" -eq 4
+err_has 'more rows with larger errors .*--all'
+rows=$(jq '.rows | length' out)
+run beadswim-compare run.json many.json --method multipole-ode --all
+check "all rows" test "$(grep -cE '^(velocity|arm|sin)' err)" -eq "$rows"
+
 # --- which numbers
 judged 0 beadswim-compare run.json prediction.json --quantity arm_amplitudes,sin_phase_shift --tolerance 0.03
 holds '[.rows[] | select(.decides) | [.quantity, .arm]] == [["arm_amplitudes", 1], ["arm_amplitudes", 2], ["sin_phase_shift", null]]'
@@ -132,8 +141,8 @@ refuses 'standard input can be read only once' beadswim-compare - -
 refuses 'no file is given' beadswim-compare
 refuses 'one file is given' beadswim-compare run.json
 refuses 'missing.json: the file cannot be read' beadswim-compare missing.json prediction.json
-refuses 'run.h5md: the file is a trajectory; give the run record' beadswim-compare run.h5md prediction.json
-refuses 'run.h5md: the file is a trajectory; give the run record' beadswim-compare run.json run.h5md
+refuses 'run.h5md: the file cannot be read' beadswim-compare run.h5md prediction.json
+refuses 'run.h5md: the file cannot be read' beadswim-compare run.json run.h5md
 echo '{ "schema": "beadswim/layout/1" }' >layout.json
 refuses 'layout.json:/schema: .*"layout"' beadswim-compare layout.json prediction.json
 refuses 'layout.json: the document has the schema "beadswim/layout/1"; a run record .* or a prediction' beadswim-compare run.json layout.json

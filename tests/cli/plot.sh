@@ -57,7 +57,7 @@ out_has '>arm amplitude \(um\)<'
 # A swarm of over 64 swimmers has none in its record.
 jq 'del(.swimmers) | .swarm = []' run.json >swarm.json
 for kind in stroke velocity-against-period separation; do
-  refuses 'swarm.json: the run record contains only statistics of the swarm, .* more than 64 swimmers; draw .*trajectory .* with beadswim-plot trajectories' \
+  refuses 'swarm.json: the run record contains only statistics of the swarm, .* more than 64 swimmers, and there is no swarm.h5md; name the trajectory' \
     beadswim-plot $kind swarm.json
 done
 
@@ -418,6 +418,6 @@ same_bytes "beadswim-plot mobility-products $BEADSWIM_SOURCE/docs/results/mobili
 refuses 'the document has no key "mobility_products"; make a document with' beadswim-plot mobility-products "$BEADSWIM_SOURCE/docs/results/bench.json"
 refuses 'cycle: the command "mobility-products" does not have this flag' \
   beadswim-plot mobility-products "$BEADSWIM_SOURCE/docs/results/mobility-products.json" --cycle 2
-refuses 'run.h5md: the file is a trajectory' beadswim-plot stroke run.h5md
+refuses 'run.h5md: the file cannot be read' beadswim-plot stroke run.h5md
 
 finish

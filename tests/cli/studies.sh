@@ -96,6 +96,50 @@ has_status 2
 err_has 'invalid.jsonl line 4: the object lacks the key "fluid"'
 refuses 'missing.jsonl: the file cannot be read' beadswim-theory some.jsonl missing.jsonl
 
+# --- streams through compare
+
+head -6 study.jsonl >six.jsonl
+beadswim-run six.jsonl --model rpy --cycles 2 --progress none -o six-{}.h5md >six-runs.jsonl 2>err
+run beadswim-compare six-runs.jsonl study-theory.jsonl --method rpy-ode --tolerance 0.02
+has_status 0
+check 'a verdict per run, with its study' holds -s --slurpfile runs six-runs.jsonl 'map(.study) == ($runs | map(.study)) and all(.pass and .decided_by == "rpy-ode")' out
+err_has '^period = 2000, phase = 0.523599: pass by rpy-ode: velocity [-+]0'
+err_has '^verdicts: 6 of 6 pass$'
+tac six-runs.jsonl >backwards.jsonl
+run beadswim-compare backwards.jsonl study-theory.jsonl --method rpy-ode --tolerance 0.02
+check 'pairs are found by their studies' holds -s 'length == 6 and all(.pass)' out
+run beadswim-compare six-runs.jsonl study-theory.jsonl --method rpy-ode --tolerance 1e-9
+has_status 1
+err_has '^verdicts: 0 of 6 pass$'
+run beadswim-compare six-runs.jsonl <(sed 3d study-theory.jsonl) --method rpy-ode --tolerance 0.02
+has_status 3
+err_has '1 of 6 runs have no verdict'
+check 'a failure without a partner' holds -s '.[2].status == "failed" and .[2].member == 3 and (.[2].reason | test("has no document of the study")) and (map(select(.pass)) | length == 5)' out
+run beadswim-compare <(sed '2s/.*/{"schema":"beadswim\/failure\/1","status":"failed","program":"beadswim-run","member":2,"reason":"no memory","study":{"period":2000,"phase":1.5707963267948966}}/' six-runs.jsonl) \
+  study-theory.jsonl --method rpy-ode --tolerance 0.02
+has_status 3
+check 'a failure goes on' holds -s '.[1].reason | test("is a failure: no memory")' out
+refuses 'line 2: the object lacks the key' beadswim-compare <(jq -c 'if input_line_number == 2 then del(.model) else . end' six-runs.jsonl) study-theory.jsonl
+run beadswim-compare six-1.json study-theory.jsonl --method rpy-ode --tolerance 0.02
+has_status 0
+run beadswim-compare six-1.h5md six-1.json --tolerance 1e-9
+has_status 0
+err_has '^velocity .* run +\+0.00 %'
+
+# Records of more than 64 swimmers do not list them; the trajectory beside the record does.
+beadswim-layout swarm --preset paper-uniform --blocks 2,3,4 --block-swimmers 1,2,2 >many.json
+for model in rpy oseen; do beadswim-run many.json --model $model --cycles 1 -o $model.h5md --progress none >$model.json 2>err; done
+run beadswim-compare rpy.json rpy.h5md --tolerance 1e-9
+has_status 0
+check 'all swimmers' holds '[.rows[].swimmer] | unique | length == 96' out
+run beadswim-compare rpy.json oseen.json
+has_status 1
+err_has '^verdict: FAIL'
+check 'a short table' test "$(wc -l <err)" -lt 50
+accepts beadswim-plot stroke rpy.json
+mv oseen.h5md other.h5md; cp six-1.h5md oseen.h5md
+refuses 'the trajectory oseen.h5md belongs to another run' beadswim-compare oseen.json rpy.json
+
 # --- figures
 
 accepts beadswim-plot against study-theory.jsonl --x period --group-by phase --method rpy-ode,rpy-perturbation -o - --data data.csv

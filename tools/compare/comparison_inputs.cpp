@@ -12,28 +12,6 @@
 namespace beadswim {
 namespace {
 
-struct RunFile {
-  std::string source;
-  RunRecord record;
-};
-
-struct ReferenceFile {
-  std::string source;
-  SwimmingDocument document;
-};
-
-struct Inputs {
-  std::vector<RunFile> runs;
-  std::vector<ReferenceFile> references;  ///< the file REFERENCE, then the files of --reference
-};
-
-void require_one_stdin(const ComparisonRequest& request) {
-  const auto stdins = std::count(request.files.begin(), request.files.end(), "-") +
-                      std::count(request.further_references.begin(), request.further_references.end(), "-");
-  if (stdins > 1)
-    throw InputError("-", "standard input can be read only once; name files for the other inputs");
-}
-
 /// Throws InputError if the document is the record of a failed run. The results of a failed run are not
 /// valid.
 void require_success(const SwimmingDocument& document, const std::string& source) {
@@ -41,34 +19,6 @@ void require_success(const SwimmingDocument& document, const std::string& source
   if (run == nullptr || run->status != RunStatus::failed) return;
   throw InputError(source,
                    "the file is the record of a failed run; correct the cause of the failure and run again");
-}
-
-ReferenceFile read_reference(const std::string& path) {
-  ReferenceFile file{source_name(path), read_swimming(path)};
-  require_success(file.document, file.source);
-  return file;
-}
-
-RunFile read_run_file(const std::string& path) {
-  RunFile file{source_name(path), read_run(path)};
-  require_success(file.record, file.source);
-  return file;
-}
-
-Inputs read_inputs(const ComparisonRequest& request) {
-  if (request.files.size() < 2) {
-    throw InputError("RUN... REFERENCE", fmt::format("{} is given; name at least one run record, and after "
-                                                     "the run records the reference for the comparison",
-                                                     request.files.empty() ? "no file" : "one file"));
-  }
-  require_one_stdin(request);
-  Inputs inputs;
-  const std::span files(request.files);
-  for (const std::string& path : files.first(files.size() - 1)) inputs.runs.push_back(read_run_file(path));
-  inputs.references.push_back(read_reference(files.back()));
-  for (const std::string& path : request.further_references)
-    inputs.references.push_back(read_reference(path));
-  return inputs;
 }
 
 // --- Check that the documents describe the same scene
@@ -136,7 +86,7 @@ struct References {
   std::size_t own = 0;
 };
 
-References references_for(int swimmer, const Inputs& inputs, const CycleChoice& cycle) {
+References references_for(int swimmer, const ComparisonInputs& inputs, const CycleChoice& cycle) {
   References references{references_for(swimmer, inputs.references.front(), cycle)};
   references.own = references.all.size();
   for (const ReferenceFile& file : std::span(inputs.references).subspan(1)) {
@@ -180,7 +130,7 @@ std::size_t deciding_reference(const ComparisonRequest& request, const Reference
 }
 
 /// Compares one swimmer of every run with all references, and adds the rows to `result`.
-void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const Inputs& inputs,
+void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const ComparisonInputs& inputs,
                                  VerdictDocument& result) {
   const References references = references_for(id, inputs, request.cycle);
   std::vector<RunSwimmer> in_runs;
@@ -206,16 +156,19 @@ void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const Inputs
 
 }  // namespace
 
-VerdictDocument compare_files(const ComparisonRequest& request) {
-  const Inputs inputs = read_inputs(request);
+VerdictDocument compare(const ComparisonInputs& inputs, const ComparisonRequest& request) {
   VerdictDocument result;
   std::vector<std::optional<RunCost>> costs;
+  for (const RunFile& run : inputs.runs) require_success(run.record, run.source);
+  for (const ReferenceFile& reference : inputs.references)
+    require_success(reference.document, reference.source);
   for (const RunFile& run : inputs.runs) {
     for (const ReferenceFile& reference : inputs.references)
       append(result.scene_differences, require_same_scene(run, reference, request.allowed_differences));
     costs.push_back(run.record.cost);
   }
   result.cost = total_cost(costs);
+  result.study = inputs.runs.front().record.study.value_or(Json());
   for (const int id : swimmers_of(inputs.references.front().document)) {
     compare_swimmer_in_all_runs(id, request, inputs, result);
   }

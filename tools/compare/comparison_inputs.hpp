@@ -10,7 +10,7 @@
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"
 
-// Reads run records and predictions from files and compares them.
+// Comparison of run records with predictions and other records.
 
 namespace beadswim {
 
@@ -23,12 +23,27 @@ struct ComparisonRequest {
   double tolerance = 0;  ///< largest accepted |relative error|
   CycleChoice cycle;
   std::vector<SceneProperty> allowed_differences;  ///< properties in which run and reference may differ
+  bool shows_all = false;                          ///< the table on standard error has all rows
 };
 
-/// Reads all files and compares each run with every reference. If the reference is a prediction, the swimmer
-/// of the prediction is compared. If the reference is a run, all its swimmers are compared. Throws InputError
-/// if a file cannot be read, if the files have different units or scenes, if a run has failed, or if
-/// no usable method can determine the verdict.
-VerdictDocument compare_files(const ComparisonRequest& request);
+struct RunFile {
+  std::string source;
+  RunRecord record;
+};
+
+struct ReferenceFile {
+  std::string source;
+  SwimmingDocument document;
+};
+
+struct ComparisonInputs {
+  std::vector<RunFile> runs;
+  std::vector<ReferenceFile> references;  ///< the file REFERENCE, then the files of --reference
+};
+
+/// Compares each run with every reference. If the reference is a prediction, the swimmer of the prediction is
+/// compared. If the reference is a run, all its swimmers are compared. Throws InputError if units or scenes
+/// differ, if a run has failed, or if no usable method can determine the verdict.
+VerdictDocument compare(const ComparisonInputs& inputs, const ComparisonRequest& request);
 
 }  // namespace beadswim

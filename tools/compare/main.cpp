@@ -1,8 +1,9 @@
-#include <cstdio>
+#include <fmt/core.h>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/documents/failure_document.hpp"
 #include "beadswim/tools/named_flags.hpp"
-#include "comparison_inputs.hpp"
+#include "comparison_stream.hpp"
 #include "verdict_table.hpp"
 
 namespace {
@@ -17,9 +18,10 @@ struct Flags {
 
 void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
   program
-      .add_option("FILES", request.files,
-                  "Run records of beadswim-run, and last the reference for the comparison: predictions of "
-                  "beadswim-theory or another run record. - is standard input.")
+      .add_option(
+          "FILES", request.files,
+          "Run records or trajectories (.h5md), and last the reference for the comparison: predictions "
+          "of beadswim-theory or another run. Streams (JSON Lines) are paired by their studies.")
       ->type_name("RUN... REFERENCE")
       ->default_str("");
   program
@@ -52,6 +54,8 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
               "Properties in which the scenes of run and reference may differ, such as domain,fluid; the "
               "verdict lists the differences")
       ->default_str("none");
+  program.add_flag("--all", request.shows_all,
+                   "Print all rows of the table, not only what decides and the best.");
   set_footer(program,
              {"beadswim-compare run.json theory.json --method rpy-box-ode >verdict.json",
               "beadswim-compare lbm.json run.json --quantity velocity --tolerance 0.5"},
@@ -61,6 +65,45 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
 void apply(const Flags& flags, ComparisonRequest& request) {
   if (!flags.method.empty()) request.method = flags.method;
   request.cycle = parse_cycle_choice(flags.cycle);
+}
+
+int compare_single(ComparisonFiles& files, const ComparisonRequest& request) {
+  const VerdictDocument result = compare(files.all(), request);
+  write_text("-", dump_json(verdict_to_json(result)));
+  print_to_stderr(verdict_table(result, request.shows_all));
+  return static_cast<int>(verdict(result.rows) ? ExitStatus::fine : ExitStatus::negative_verdict);
+}
+
+/// Writes a verdict or a failure per run. Throws SolverError at the end if there are failures.
+int compare_stream(ComparisonFiles& files, const ComparisonRequest& request) {
+  const int runs = files.check();
+  int failed = 0, negative = 0;
+  while (auto member = files.next()) {
+    std::string reason = member->reason;
+    try {
+      if (reason.empty()) {
+        const VerdictDocument result = compare(member->inputs, request);
+        negative += !verdict(result.rows);
+        write_text("-", dump_json_line(verdict_to_json(result)));
+        print_to_stderr(verdict_line(result));
+        continue;
+      }
+    } catch (const InputError& error) {
+      reason = error.what();
+    }
+    ++failed;
+    write_text("-", dump_json_line(failure_to_json({.program = "beadswim-compare",
+                                                    .member = member->number,
+                                                    .reason = reason,
+                                                    .study = member->study})));
+  }
+  if (failed > 0)
+    throw SolverError(
+        fmt::format("{} of {} runs have no verdict: see the key \"reason\" of documents with "
+                    "\"status\": \"failed\"",
+                    failed, runs));
+  print_to_stderr(fmt::format("verdicts: {} of {} pass\n", runs - negative, runs));
+  return static_cast<int>(negative == 0 ? ExitStatus::fine : ExitStatus::negative_verdict);
 }
 
 int run(int argc, const char* const* argv) {
@@ -73,10 +116,8 @@ int run(int argc, const char* const* argv) {
   add_flags(*program, request, flags);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
   apply(flags, request);
-  const VerdictDocument result = compare_files(request);
-  write_text("-", dump_json(verdict_to_json(result)));
-  print_to_stderr(verdict_table(result));
-  return static_cast<int>(verdict(result.rows) ? ExitStatus::fine : ExitStatus::negative_verdict);
+  ComparisonFiles files(request);
+  return files.is_stream() ? compare_stream(files, request) : compare_single(files, request);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 
 namespace beadswim {
 namespace {
@@ -48,33 +50,123 @@ std::string uncertainty_text(const ComparisonRow& row) {
                            : fmt::format("± {:.0f} %", 100 * uncertainty);
 }
 
-/// Returns true if a heading must precede row i of the table. This is true for the first row of each run and
-/// swimmer if the table contains several runs or swimmers.
-bool begins_section(std::span<const ComparisonRow> rows, std::size_t i) {
-  const auto other = [&](const ComparisonRow& row) {
-    return row.run_source != rows[i].run_source || row.swimmer != rows[i].swimmer;
+using Rows = std::vector<const ComparisonRow*>;
+
+/// The rows of one swimmer of one run.
+struct Section {
+  std::string run_source;
+  int swimmer = 0;
+  Rows rows{};
+};
+
+std::vector<Section> sections_of(std::span<const ComparisonRow> rows) {
+  std::vector<Section> sections;
+  for (const ComparisonRow& row : rows) {
+    if (sections.empty() || sections.back().run_source != row.run_source ||
+        sections.back().swimmer != row.swimmer)
+      sections.push_back({row.run_source, row.swimmer});
+    sections.back().rows.push_back(&row);
+  }
+  return sections;
+}
+
+/// Returns the largest size of the relative errors for which is_counted(row).
+double largest_error(const Rows& rows, auto&& is_counted) {
+  double largest = 0;
+  for (const ComparisonRow* row : rows)
+    if (is_counted(*row)) largest = std::max(largest, std::abs(row->relative_error));
+  return largest;
+}
+
+/// Returns the usable methods of a section with the smallest of their largest errors.
+std::vector<std::string> best_methods(const Rows& rows, std::size_t count) {
+  std::map<std::string, double> errors;
+  for (const ComparisonRow* row : rows) {
+    if (!row->usable || row->decides) continue;
+    errors[row->method] =
+        largest_error(rows, [row](const ComparisonRow& other) { return other.method == row->method; });
+  }
+  std::vector<std::string> methods;
+  for (const auto& [method, error] : errors) methods.push_back(method);
+  std::ranges::stable_sort(methods, {}, [&](const std::string& method) { return errors[method]; });
+  methods.resize(std::min(count, methods.size()));
+  return methods;
+}
+
+/// Leaves the rows that decide and those of the best methods, of the sections with the largest deciding
+/// errors. Keeps their order.
+void shorten(std::vector<Section>& sections) {
+  constexpr std::size_t most_sections = 8, most_methods = 3;
+  const auto error = [](const Section& section) {
+    return largest_error(section.rows, [](const ComparisonRow& row) { return row.decides; });
   };
-  return std::any_of(rows.begin(), rows.end(), other) && (i == 0 || other(rows[i - 1]));
+  std::vector<double> errors;
+  for (const Section& section : sections) errors.push_back(error(section));
+  std::ranges::sort(errors, std::greater());
+  if (sections.size() > most_sections) {
+    const double smallest = errors[most_sections - 1];
+    std::size_t kept = 0;
+    std::erase_if(sections, [&](const Section& section) {
+      return error(section) < smallest || ++kept > most_sections;
+    });
+  }
+  for (Section& section : sections) {
+    const std::vector<std::string> best = best_methods(section.rows, most_methods);
+    std::erase_if(section.rows, [&](const ComparisonRow* row) {
+      return !row->decides && std::ranges::find(best, row->method) == best.end();
+    });
+  }
+}
+
+std::string varied_text(const Json& study) {
+  std::string text;
+  for (const auto& [name, value] : study.items())
+    text += fmt::format(
+        "{}{} = {}", text.empty() ? "" : ", ", name,
+        value.is_string() ? value.get<std::string>() : fmt::format("{:.6g}", value.get<double>()));
+  return text;
 }
 
 }  // namespace
 
-std::string verdict_table(const VerdictDocument& document) {
+std::string verdict_table(const VerdictDocument& document, bool shows_all) {
+  constexpr std::size_t long_table = 16;  // rows
   constexpr auto line = "{:<21} {:>13} {:>13}  {:<22} {:>10} {:>9}  {}\n";
+  std::vector<Section> sections = sections_of(document.rows);
+  const bool has_headings = sections.size() > 1;
+  if (!shows_all && document.rows.size() > long_table) shorten(sections);
   std::string table = fmt::format(line, "quantity", "run", "reference", "method", "error", "", "verdict");
-  for (std::size_t i = 0; i < document.rows.size(); ++i) {
-    const ComparisonRow& row = document.rows[i];
-    if (begins_section(document.rows, i))
-      table += fmt::format("{}, swimmer {}:\n", row.run_source, row.swimmer);
-    table += fmt::format(line, quantity_text(row), fmt::format("{:.5g}", row.run),
-                         fmt::format("{:.5g}", row.reference), row.method, error_text(row),
-                         uncertainty_text(row), verdict_text(row));
+  std::size_t shown = 0;
+  for (const Section& section : sections) {
+    if (has_headings) table += fmt::format("{}, swimmer {}:\n", section.run_source, section.swimmer);
+    for (const ComparisonRow* row : section.rows)
+      table += fmt::format(line, quantity_text(*row), fmt::format("{:.5g}", row->run),
+                           fmt::format("{:.5g}", row->reference), row->method, error_text(*row),
+                           uncertainty_text(*row), verdict_text(*row));
+    shown += section.rows.size();
   }
+  if (shown < document.rows.size())
+    table +=
+        fmt::format("({} more rows with larger errors of methods, or of swimmers with smaller ones: --all)\n",
+                    document.rows.size() - shown);
   for (const auto& [property, run, reference] : document.scene_differences)
     table += fmt::format("allowed difference: {}: run {}, reference {}\n", to_text(property), run, reference);
   const bool pass = verdict(document.rows);
   return table + fmt::format("verdict: {}, decided by {}, tolerance {:g} %\n", pass ? "pass" : "FAIL",
                              document.decided_by, 100 * document.rows.front().tolerance);
+}
+
+std::string verdict_line(const VerdictDocument& document) {
+  std::string errors;
+  for (const ComparisonRow& row : document.rows) {
+    if (!row.decides) continue;
+    const std::string uncertainty = uncertainty_text(row);
+    errors += fmt::format("{}{} {}{}", errors.empty() ? "" : ", ", quantity_text(row), error_text(row),
+                          uncertainty.empty() ? "" : " " + uncertainty);
+  }
+  const std::string study = varied_text(document.study);
+  return fmt::format("{}: {} by {}: {}\n", study.empty() ? document.rows.front().run_source : study,
+                     verdict(document.rows) ? "pass" : "FAIL", document.decided_by, errors);
 }
 
 }  // namespace beadswim

@@ -8,6 +8,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/documents/failure_document.hpp"
+#include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/scene/units.hpp"
 
 namespace beadswim {
@@ -114,6 +115,10 @@ std::vector<SourceDocument> read_documents(const std::vector<std::string>& files
   std::vector<SourceDocument> documents;
   int failures = 0;
   for (const std::string& path : files) {
+    if (is_trajectory(path)) {
+      documents.push_back({path, run_of_trajectory(path)});
+      continue;
+    }
     for (const auto& [source, json] : read_json_documents(path, "a run record or a prediction")) {
       if (is_failure(json)) {
         ++failures;

@@ -2,26 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <fstream>
-
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
-#include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 namespace {
-
-/// Returns true if the file name has the ending of a trajectory, or if the file is in HDF5 format.
-bool is_trajectory(const std::string& path) {
-  if (path.ends_with(".h5md") || path.ends_with(".h5md.part")) return true;
-  const std::string signature = "\x89HDF";
-  std::string start(signature.size(), '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return file && start == signature;
-}
 
 std::size_t select_frame(const TrajectoryFile& file, std::optional<std::size_t> wanted) {
   const std::size_t last = file.reader.frames() - 1;

@@ -7,6 +7,7 @@
 #include "beadswim/io/box_json.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/io/schema.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "units_json.hpp"
 
 namespace beadswim {
@@ -28,6 +29,21 @@ void require_equal_arms(const SwimmerRecord& swimmer, std::size_t index, const s
 }
 
 }  // namespace
+
+DrivingRecord driving_of(const Layout& layout, double base_period) {
+  const auto driving = [&](const Swimmer& swimmer) {
+    return three_bead_form(layout.resolved_type(swimmer).driving);
+  };
+  const std::optional<ThreeBeadDriving> first = driving(layout.swimmers.front());
+  const bool is_common =
+      first && std::ranges::all_of(layout.swimmers, [&](const Swimmer& swimmer) {
+        const std::optional<ThreeBeadDriving> other = driving(swimmer);
+        return other && other->amplitude == first->amplitude && other->phase == first->phase;
+      });
+  if (!is_common) return {.period = base_period, .amplitude = std::nullopt, .phase = std::nullopt};
+  return {.period = base_period, .amplitude = first->amplitude, .phase = first->phase};
+}
+
 RunRecord run_record_from_json(const Json& document, const std::string& source) {
   validate_json(document, "run", source);
   RunRecord record = document.get<RunRecord>();

@@ -5,26 +5,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/io/document_stream.hpp"
+#include "beadswim/scene/units.hpp"
 
 namespace beadswim {
 namespace {
 
-void throw_if_trajectory(const std::string& path) {
-  if (!path.ends_with(".h5md")) return;
-  throw InputError(path,
-                   "the file is a trajectory; give the run record (JSON) that beadswim-run printed with it");
-}
-
-RunRecord require_swimmers(RunRecord record, const std::string& source) {
+/// Adds the cycles of the swimmers of a large swarm, which the record does not list, from the trajectory
+/// beside the record. Throws InputError if there is none, or if it belongs to another run.
+RunRecord with_swimmers(RunRecord record, const std::string& source) {
   if (!record.swimmers.empty()) return record;
-  throw InputError(source,
-                   fmt::format("the run record contains only statistics of the swarm, because the run has "
-                               "more than {} swimmers; draw the run's trajectory (.h5md) with beadswim-plot "
-                               "trajectories, beadswim-plot swarm or beadswim-view",
-                               max_swimmers_listed));
+  const std::string path = std::filesystem::path(source).replace_extension(".h5md");
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored))
+    throw InputError(
+        source, fmt::format("the run record contains only statistics of the swarm, because the run has "
+                            "more than {} swimmers, and there is no {}; name the trajectory (.h5md) instead",
+                            max_swimmers_listed, path));
+  RunRecord of_trajectory = run_of_trajectory(path);
+  if (!(of_trajectory.driving == record.driving && same_units(of_trajectory.units, record.units) &&
+        of_trajectory.swimmers.front().cycles.size() ==
+            record.swarm.value_or(std::vector<SwarmCycle>()).size()))
+    throw InputError(source,
+                     fmt::format("the trajectory {} belongs to another run than this record, which does "
+                                 "not list its swimmers; name the trajectory of the run instead",
+                                 path));
+  record.swimmers = std::move(of_trajectory.swimmers);
+  record.scene = std::move(of_trajectory.scene);
+  return record;
 }
 
 }  // namespace
@@ -33,9 +45,8 @@ std::string source_name(const std::string& path) {
   return path == "-" ? "standard input" : path;
 }
 
-RunRecord read_run(const std::string& path) {
-  throw_if_trajectory(path);
-  return require_swimmers(read_run_record(path), source_name(path));
+RunRecord run_from_json(const Json& document, const std::string& source) {
+  return with_swimmers(run_record_from_json(document, source), source);
 }
 
 std::string schema_of(const Json& document) {
@@ -45,7 +56,8 @@ std::string schema_of(const Json& document) {
 }
 
 std::vector<SourceJson> read_json_documents(const std::string& path, const std::string& wanted) {
-  throw_if_trajectory(path);
+  if (is_trajectory(path))
+    throw InputError(path, fmt::format("the file is a trajectory; {} (JSON) is needed here", wanted));
   std::vector<SourceJson> documents;
   DocumentStream stream({path});
   while (const std::optional<StreamMember> member = stream.next()) {
@@ -58,19 +70,12 @@ std::vector<SourceJson> read_json_documents(const std::string& path, const std::
 
 SwimmingDocument swimming_from_json(const Json& document, const std::string& source) {
   const std::string schema = schema_of(document);
-  if (schema.starts_with("beadswim/run/"))
-    return require_swimmers(run_record_from_json(document, source), source);
+  if (schema.starts_with("beadswim/run/")) return run_from_json(document, source);
   if (schema.starts_with("beadswim/prediction/")) return predictions_from_json(document, source);
   throw InputError(source, fmt::format("{}; a run record (\"schema\": \"beadswim/run/1\") or a prediction "
                                        "(\"beadswim/prediction/1\") is needed here",
                                        schema.empty() ? "the document has no key \"schema\""
                                                       : "the document has the schema \"" + schema + "\""));
-}
-
-SwimmingDocument read_swimming(const std::string& path) {
-  throw_if_trajectory(path);
-  const std::string source = source_name(path);
-  return swimming_from_json(parse_json(read_text(path), source), source);
 }
 
 const Units& units_of(const SwimmingDocument& document) {

@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <map>
 
 #include "beadswim/core/error.hpp"
@@ -93,6 +96,17 @@ const SwimmerType& TrajectoryFile::type(std::size_t swimmer) const {
   return layout.types.at(layout.swimmers[in_layout[swimmer]].type);
 }
 
+bool is_trajectory(const std::string& path) {
+  if (path.ends_with(".h5md") || path.ends_with(".h5md.part")) return true;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;  // a pipe can be read only once
+  const std::string signature = "\x89HDF";
+  std::string start(signature.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return file && start == signature;
+}
+
 TrajectoryFile open_trajectory(const std::string& path) {
   TrajectoryReader reader(path);
   Layout layout = layout_of(reader, path);
@@ -101,6 +115,40 @@ TrajectoryFile open_trajectory(const std::string& path) {
           .reader = std::move(reader),
           .layout = std::move(layout),
           .in_layout = std::move(in_layout)};
+}
+
+RunRecord run_of_trajectory(const std::string& path) {
+  const TrajectoryFile file = open_trajectory(path);
+  const std::vector<TrajectoryCycle> cycles = file.reader.cycles(columns_of<CycleStatistics>({}));
+  if (cycles.empty())
+    throw InputError(path, "the trajectory contains no complete cycle; run at least one cycle");
+  RunRecord record;
+  record.model = "trajectory";
+  record.units = file.layout.units;
+  record.domain = file.layout.domain;
+  if (!file.layout.flow.is_zero()) record.flow = file.layout.flow;
+  if (!file.layout.body_force.isZero(0)) record.body_force = file.layout.body_force;
+  record.driving = driving_of(file.layout, base_period(file.layout));
+  record.scene = file.layout;
+  for (const std::size_t s : file.in_layout) {
+    const Swimmer& swimmer = file.layout.swimmers[s];
+    const double period = file.layout.resolved_type(swimmer).driving.period;
+    SwimmerRecord& added = record.swimmers.emplace_back();
+    added.id = swimmer.id;
+    if (period != record.driving.period) added.period = period;
+  }
+  for (std::size_t c = 0; c < cycles.size(); ++c) {
+    const auto statistics = records_of<CycleStatistics>(cycles[c].columns, record.swimmers.size());
+    for (std::size_t s = 0; s < statistics.size(); ++s) {
+      if (std::isnan(statistics[s].velocity[0])) continue;  // has not completed a cycle
+      CycleStatistics& cycle = record.swimmers[s].cycles.emplace_back(statistics[s]);
+      cycle.index = static_cast<int>(c) + 1;
+      cycle.speed_along_axis = cycle.velocity.dot(cycle.axis);
+      for (auto* arms : {&cycle.arm_amplitudes, &cycle.arm_phases, &cycle.arm_means})
+        arms->resize(file.type(s).bonds.size());
+    }
+  }
+  return record;
 }
 
 void throw_unknown_swimmer(const std::string& flag, int id, const std::vector<int>& ids,

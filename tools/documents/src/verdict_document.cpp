@@ -20,16 +20,19 @@ VerdictDocument verdict_from_json(const Json& json, const std::string& source) {
   return {.decided_by = json.at("decided_by"),
           .rows = json.at("rows"),
           .cost = json.at("cost").get<std::optional<VerdictCost>>(),
-          .scene_differences = json.value("scene_differences", std::vector<SceneDifference>())};
+          .scene_differences = json.value("scene_differences", std::vector<SceneDifference>()),
+          .study = json.value("study", Json())};
 }
 
 Json verdict_to_json(const VerdictDocument& document) {
-  return {{"schema", "beadswim/verdict/1"},
-          {"pass", verdict(document.rows)},
-          {"decided_by", document.decided_by},
-          {"rows", document.rows},
-          {"scene_differences", document.scene_differences},
-          {"cost", document.cost}};
+  Json json{{"schema", "beadswim/verdict/1"},
+            {"pass", verdict(document.rows)},
+            {"decided_by", document.decided_by},
+            {"rows", document.rows},
+            {"scene_differences", document.scene_differences},
+            {"cost", document.cost}};
+  if (!document.study.is_null()) json["study"] = document.study;
+  return json;
 }
 
 }  // namespace beadswim

@@ -23,21 +23,6 @@ std::int64_t peak_memory_bytes(const Communicator& communicator) {
   return bytes;
 }
 
-/// Returns the driving for the run record. Omits amplitudes and phase if they differ between swimmers.
-DrivingRecord driving_of(const Layout& layout, double base_period) {
-  const auto driving = [&](const Swimmer& swimmer) {
-    return three_bead_form(layout.resolved_type(swimmer).driving);
-  };
-  const std::optional<ThreeBeadDriving> first = driving(layout.swimmers.front());
-  const bool is_common =
-      first && std::ranges::all_of(layout.swimmers, [&](const Swimmer& swimmer) {
-        const std::optional<ThreeBeadDriving> other = driving(swimmer);
-        return other && other->amplitude == first->amplitude && other->phase == first->phase;
-      });
-  if (!is_common) return {.period = base_period, .amplitude = std::nullopt, .phase = std::nullopt};
-  return {.period = base_period, .amplitude = first->amplitude, .phase = first->phase};
-}
-
 /// Adds momentum and relative mass change to the record if the model evaluates them. `first`, `last`: totals
 /// at the start and at the end of the run.
 void add_conservation(RunRecord& record, const ModelTotals& first, const ModelTotals& last) {

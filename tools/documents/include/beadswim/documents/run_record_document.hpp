@@ -74,6 +74,9 @@ struct DrivingRecord {
   bool operator==(const DrivingRecord&) const = default;
 };
 
+/// Returns the driving for the run record. Omits amplitudes and phase if they differ between swimmers.
+DrivingRecord driving_of(const Layout& layout, double base_period);
+
 /// Momentum of fluid and beads at the end and at the start of the run [mass length/time].
 struct MomentumRecord {
   Vec3 total = Vec3::Zero();

@@ -20,10 +20,11 @@ using SwimmingDocument = std::variant<RunRecord, PredictionDocument>;
 /// Returns the name of a file for messages: `path`, or "standard input" if `path` is "-".
 std::string source_name(const std::string& path);
 
-/// Reads a run record that contains statistics of single swimmers. Throws the errors of read_run_record().
-/// Also throws InputError, with a remedy in the message, if the file is a trajectory (.h5md) or if the record
-/// lists no swimmers.
-RunRecord read_run(const std::string& path);
+/// Converts a JSON document to a run record. The swimmers of a large swarm, which the record does not list,
+/// are read from the trajectory beside it (RUN.h5md beside RUN.json). Throws the errors of
+/// run_record_from_json() and run_of_trajectory(), and InputError with a remedy if there is no such
+/// trajectory.
+RunRecord run_from_json(const Json& document, const std::string& source);
 
 /// A JSON document and its name in messages: "FILE", or "FILE line N" if the file contains several documents.
 struct SourceJson {
@@ -42,9 +43,6 @@ std::vector<SourceJson> read_json_documents(const std::string& path, const std::
 /// Converts a JSON document to a run record or a prediction document, as the schema name in the document
 /// states. Throws InputError for other schemas.
 SwimmingDocument swimming_from_json(const Json& document, const std::string& source);
-
-/// Reads a run record or a prediction document from a file, or from stdin for "-". Throws InputError.
-SwimmingDocument read_swimming(const std::string& path);
 
 /// Returns the units of a document.
 const Units& units_of(const SwimmingDocument& document);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/trajectory_reader.hpp"
 #include "beadswim/scene/layout.hpp"
 
@@ -21,9 +22,16 @@ struct TrajectoryFile {
   const SwimmerType& type(std::size_t swimmer) const;
 };
 
+/// Returns true if the file name has the ending of a trajectory, or if the file is in HDF5 format.
+bool is_trajectory(const std::string& path);
+
 /// Opens a trajectory file and reads the layout that it contains. Throws InputError if the file is invalid;
 /// the message contains the path of the file and the place within it.
 TrajectoryFile open_trajectory(const std::string& path);
+
+/// Returns what a trajectory contains of the record of its run: scene, driving, and the cycles of all
+/// swimmers. Its model is "trajectory". Throws InputError if the file is invalid or has no complete cycle.
+RunRecord run_of_trajectory(const std::string& path);
 
 /// Throws InputError for an id that no swimmer has, with a message such as "FLAG: no swimmer 12 in run.h5md;
 /// the nearest is 8, ids are 0 to 8".

@@ -34,6 +34,7 @@ struct VerdictDocument {
   std::vector<ComparisonRow> rows;
   std::optional<VerdictCost> cost;
   std::vector<SceneDifference> scene_differences{};
+  Json study{};  ///< study of the first run (layout_document.hpp); null: none
 };
 
 /// Returns the sum of the costs of all runs; nullopt if the cost of a run is not known.

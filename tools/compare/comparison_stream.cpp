@@ -1,0 +1,150 @@
+#include "comparison_stream.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/documents/failure_document.hpp"
+#include "beadswim/documents/trajectory_file.hpp"
+
+namespace beadswim {
+namespace {
+
+void require_one_stdin(const ComparisonRequest& request) {
+  const auto stdins = std::count(request.files.begin(), request.files.end(), "-") +
+                      std::count(request.further_references.begin(), request.further_references.end(), "-");
+  if (stdins > 1)
+    throw InputError("-", "standard input can be read only once; name files for the other inputs");
+}
+
+/// Returns the study of a document; null if it belongs to none.
+Json study_in(const Json& document) {
+  return document.is_object() ? document.value("study", Json()) : Json();
+}
+
+std::string study_text(const Json& study) {
+  return study.is_null() ? "without a study" : "of the study " + study.dump();
+}
+
+}  // namespace
+
+ComparisonFiles::File ComparisonFiles::open(const std::string& path) {
+  if (is_trajectory(path)) return {.path = path, .stream = std::nullopt};
+  File file{.path = path, .stream = DocumentStream({path})};
+  file.is_single = file.stream->is_single();
+  return file;
+}
+
+ComparisonFiles::ComparisonFiles(const ComparisonRequest& request) {
+  if (request.files.size() < 2) {
+    throw InputError("RUN... REFERENCE", fmt::format("{} is given; name at least one run record, and after "
+                                                     "the run records the reference for the comparison",
+                                                     request.files.empty() ? "no file" : "one file"));
+  }
+  require_one_stdin(request);
+  for (std::size_t i = 0; i + 1 < request.files.size(); ++i) runs_.push_back(open(request.files[i]));
+  references_.push_back(open(request.files.back()));
+  for (const std::string& path : request.further_references) references_.push_back(open(path));
+}
+
+bool ComparisonFiles::is_stream() const {
+  const auto is_several = [](const File& file) { return !file.is_single; };
+  return std::ranges::any_of(runs_, is_several) || std::ranges::any_of(references_, is_several);
+}
+
+SwimmingDocument ComparisonFiles::only_document(File& file) {
+  if (!file.stream) return run_of_trajectory(file.path);
+  const StreamMember member = *file.stream->next();
+  file.stream->rewind();
+  return swimming_from_json(parse_json(member.text, member.source), member.source);
+}
+
+ComparisonInputs ComparisonFiles::all() {
+  ComparisonInputs inputs;
+  for (File& file : runs_) {
+    const std::string source = source_name(file.path);
+    if (!file.stream) {
+      inputs.runs.push_back({source, run_of_trajectory(file.path)});
+    } else {
+      const StreamMember member = *file.stream->next();
+      inputs.runs.push_back({source, run_from_json(parse_json(member.text, source), source)});
+    }
+  }
+  for (File& file : references_) inputs.references.push_back({source_name(file.path), only_document(file)});
+  return inputs;
+}
+
+int ComparisonFiles::check() {
+  int runs = 0;
+  for (File& file : runs_) {
+    if (!file.stream) {
+      run_of_trajectory(file.path);
+      ++runs;
+      continue;
+    }
+    for (; const auto member = file.stream->next(); ++runs) {
+      const Json json = parse_json(member->text, member->source);
+      if (!is_failure(json)) run_record_from_json(json, member->source);
+    }
+    file.stream->rewind();
+  }
+  for (File& file : references_) {
+    if (!file.stream) continue;
+    while (const auto member = file.stream->next()) {
+      const Json json = parse_json(member->text, member->source);
+      if (!is_failure(json)) swimming_from_json(json, member->source);
+    }
+    file.stream->rewind();
+  }
+  return runs;
+}
+
+/// Adds the document of the file with this study. Returns the reason if there is none. The search goes on
+/// from the place of the last one, so that files with the same order are read once.
+std::string ComparisonFiles::add_reference(File& file, const Json& study, ComparisonInputs& inputs) {
+  if (file.is_single) {
+    inputs.references.push_back({source_name(file.path), only_document(file)});
+    return "";
+  }
+  for (int pass = 0; pass < 2; ++pass) {
+    while (const auto member = file.stream->next()) {
+      const Json json = parse_json(member->text, member->source);
+      if (study_in(json) != study) continue;
+      if (is_failure(json))
+        return fmt::format("{} is a failure: {}", member->source, json.value("reason", ""));
+      inputs.references.push_back({member->source, swimming_from_json(json, member->source)});
+      return "";
+    }
+    file.stream->rewind();
+  }
+  return fmt::format("{} has no document {}", source_name(file.path), study_text(study));
+}
+
+std::optional<ComparisonFiles::Member> ComparisonFiles::next() {
+  for (; run_file_ < runs_.size(); ++run_file_) {
+    File& file = runs_[run_file_];
+    Member next{.number = number_ + 1, .inputs = {}, .reason = {}, .study = {}};
+    if (!file.stream) {
+      ++run_file_;
+      next.inputs.runs.push_back({file.path, run_of_trajectory(file.path)});
+    } else {
+      const auto member = file.stream->next();
+      if (!member) continue;
+      const Json json = parse_json(member->text, member->source);
+      next.study = study_in(json);
+      if (is_failure(json)) {
+        next.reason = fmt::format("{} is a failure: {}", member->source, json.value("reason", ""));
+      } else {
+        next.inputs.runs.push_back({member->source, run_from_json(json, member->source)});
+      }
+    }
+    ++number_;
+    for (File& reference : references_)
+      if (next.reason.empty()) next.reason = add_reference(reference, next.study, next.inputs);
+    return next;
+  }
+  return std::nullopt;
+}
+
+}  // namespace beadswim
