@@ -35,6 +35,21 @@ TEST(ErrorFigure, UncertaintyOfTheReferenceIsALevelInPercent) {
   EXPECT_THAT(level.y, ElementsAre(3, 3));
 }
 
+// An error of 1 % and one of 2 % are the same to a reference that is uncertain by 3 %; the cheaper one
+// counts.
+TEST(ErrorFigure, ErrorsBelowTheUncertaintyOfTheReferenceAreNotRanked) {
+  QuantityErrors uncertain = errors();
+  uncertain.uncertainty = 0.03;
+  uncertain.series[0].points[1].cost = 50;  // 2 %
+  const Figure figure = error_figure({uncertain}, "core-seconds", {});
+  const Series& front = figure.panels.at(0).series.at(2);
+  EXPECT_THAT(front.x, ElementsAre(10, 50));
+  EXPECT_THAT(front.y, ElementsAre(5, 2));
+  EXPECT_THAT(
+      shorten_notes(figure.notes),
+      ElementsAre(HasSubstr("front"), "Cheapest within the uncertainty of the reference, velocity: worse."));
+}
+
 TEST(ErrorFigure, RefusesWhatNoLogarithmicAxisHolds) {
   QuantityErrors exact = errors();
   exact.series[1].points[0].error = 0;

@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <utility>
 
 namespace beadswim {
@@ -105,8 +106,28 @@ std::string lattice_text(const PlotInputs& inputs) {
 
 }  // namespace
 
+std::string varied_text(const PlotInputs& inputs, const Json& study) {
+  if (!study.is_object()) return {};
+  std::map<std::string, std::set<Json>> values;
+  const auto add = [&](const Json& other) {
+    for (const auto& [name, value] : other.items()) values[name].insert(value);
+  };
+  for (const PlottedRun& run : inputs.runs) add(run.record.study.value_or(Json::object()));
+  for (const PlottedPrediction& plotted : inputs.predictions)
+    if (plotted.study.is_object()) add(plotted.study);
+  std::string text;
+  for (const auto& [name, value] : study.items())
+    if (values[name].size() > 1)
+      text += fmt::format(
+          ", {} = {}", name,
+          value.is_string() ? value.get<std::string>() : fmt::format("{:.4g}", value.get<double>()));
+  return text;
+}
+
 std::string run_label(const PlotInputs& inputs, const PlottedRun& run) {
   if (inputs.runs.size() == 1) return run.record.model;
+  const std::string varied = varied_text(inputs, run.record.study.value_or(Json()));
+  if (!varied.empty()) return run.record.model + varied;
   return fmt::format("{} {}", run.record.model, std::filesystem::path(run.source).filename().string());
 }
 

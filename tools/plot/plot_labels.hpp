@@ -13,7 +13,11 @@
 
 namespace beadswim {
 
-/// Returns the label of a run: "lbm", or "lbm FILE" if there are several runs.
+/// Returns what varies in the studies of all inputs, with the values in `study`: ", period = 2400, radius =
+/// 4"; empty if nothing does.
+std::string varied_text(const PlotInputs& inputs, const Json& study);
+
+/// Returns the label of a run: "lbm"; for several runs with what varies in their studies, or "lbm FILE".
 std::string run_label(const PlotInputs& inputs, const PlottedRun& run);
 
 /// Runs with the same model, bead boundary, resolution, relaxation time, precision and box.

@@ -61,8 +61,14 @@ ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, cons
     reference.name = fmt::format("{}, {}, {:g} cells per radius", record.model,
                                  record.resolution->bead_boundary, record.resolution->cells_per_radius);
   }
-  for (const SwimmerRecord& swimmer : record.swimmers)
+  std::map<ComparedQuantity, std::vector<double>> uncertainties;
+  for (const SwimmerRecord& swimmer : record.swimmers) {
     reference.swimmers.push_back(swimming_of(record, swimmer, cycle, run.source));
+    for (const auto& [quantity, values] : uncertainties_of(swimmer, cycle))
+      uncertainties[quantity].insert(uncertainties[quantity].end(), values.begin(), values.end());
+  }
+  for (const auto& [quantity, values] : uncertainties)
+    reference.uncertainty[quantity] = root_mean_square(values);
   return reference;
 }
 

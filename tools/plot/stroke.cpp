@@ -33,6 +33,11 @@ struct StrokeNumber {
     if (numbers == swimming.end() || position >= numbers->second.size()) return NAN;
     return numbers->second[position];
   }
+  /// Returns the absolute uncertainty of the number; 0 if `uncertainties`, which are relative, lack it.
+  double error_in(const ComparedValues& swimming, const ComparedValues& uncertainties) const {
+    const double relative = in(uncertainties);
+    return std::isfinite(relative) ? relative * std::abs(in(swimming)) : 0;
+  }
   std::string label(const std::string& source) const { return fmt::format("{}, {}", symbol, source); }
 };
 
@@ -125,8 +130,11 @@ PointGroup points_by_cycle(const PlotInputs& inputs, const PlottedRun& run, cons
   PointGroup points{number.label(run_label(inputs, run))};
   for (const SwimmerRecord& swimmer : run.record.swimmers) {
     for (const CycleStatistics& cycle : swimmer.cycles) {
+      const ComparedValues swimming = evaluate_compared_values(cycle, run.record.domain.box);
+      const bool is_last = &cycle == &swimmer.cycles.back();
       points.x.push_back(cycle.index);
-      points.y.push_back(number.in(evaluate_compared_values(cycle, run.record.domain.box)));
+      points.y.push_back(number.in(swimming));
+      points.errors.push_back(is_last ? number.error_in(swimming, uncertainties_of(swimmer, {})) : 0);
     }
   }
   return points;
@@ -143,8 +151,11 @@ Panel panel_by_cycle(const PlotInputs& inputs, const StrokeNumbers& numbers, con
     for (const PlottedRun& run : inputs.runs) runs.push_back(points_by_cycle(inputs, run, number));
     append_points_and_curves(runs, {}, number.colour, panel);
     std::vector<Level> levels;
-    for (const auto& [source, prediction, study] : inputs.predictions)
-      levels.push_back({number.label(prediction.method), number.in(swimming_of(prediction))});
+    for (const auto& [source, prediction, study] : inputs.predictions) {
+      const ComparedValues swimming = swimming_of(prediction);
+      levels.push_back({number.label(prediction.method + varied_text(inputs, study)), number.in(swimming),
+                        number.error_in(swimming, uncertainties_of(prediction))});
+    }
     append_levels(levels, cycles.first - overhang, cycles.last + overhang, number.colour, panel);
   }
   return panel;
@@ -161,7 +172,9 @@ PointGroup points_in_sweep(const RunGroup& group, const StrokeNumber& number, co
   for (const PlottedRun* run : group.runs) {
     for (const SwimmerRecord& swimmer : run->record.swimmers) {
       points.x.push_back(abscissa_of(*run, swimmer, sweep.abscissa, sweep.cycle));
-      points.y.push_back(number.in(swimming_of(run->record, swimmer, sweep.cycle, run->source)));
+      const ComparedValues swimming = swimming_of(run->record, swimmer, sweep.cycle, run->source);
+      points.y.push_back(number.in(swimming));
+      points.errors.push_back(number.error_in(swimming, uncertainties_of(swimmer, sweep.cycle)));
     }
   }
   return points;
@@ -179,8 +192,11 @@ Panel panel_in_sweep(const PlotInputs& inputs, const std::vector<RunGroup>& grou
       curves.push_back({number.label(method)});
       for (const auto& [x, plotted] : predictions) {
         const Prediction& prediction = plotted.prediction;
-        curves.back().points.push_back(
-            {.x = x, .y = number.in(swimming_of(prediction)), .usable = prediction.usable});
+        const ComparedValues swimming = swimming_of(prediction);
+        curves.back().points.push_back({.x = x,
+                                        .y = number.in(swimming),
+                                        .usable = prediction.usable,
+                                        .error = number.error_in(swimming, uncertainties_of(prediction))});
       }
     }
     append_points_and_curves(points, curves, number.colour, panel);

@@ -74,10 +74,18 @@ std::vector<PointGroup> run_points(const PlotInputs& inputs, const std::vector<R
         const double x = abscissa_of(*run, swimmer, abscissa, cycle);
         const double velocity =
             swimming_of(run->record, swimmer, cycle, run->source).at(ComparedQuantity::velocity).front();
+        const ComparedValues uncertainties = uncertainties_of(swimmer, cycle);
+        const auto stated = uncertainties.find(ComparedQuantity::velocity);
+        const double error = stated == uncertainties.end() ? 0 : stated->second.front() * std::abs(velocity);
         points.x.push_back(x);
-        points.y.push_back(is_relative(inputs)
-                               ? relative_difference(velocity, reference_at(inputs, abscissa, x, run->source))
-                               : velocity);
+        if (is_relative(inputs)) {
+          const Prediction& reference = reference_at(inputs, abscissa, x, run->source);
+          points.y.push_back(relative_difference(velocity, reference));
+          points.errors.push_back(100 * error / std::abs(reference.velocity));
+        } else {
+          points.y.push_back(velocity);
+          points.errors.push_back(error);
+        }
       }
     }
     all.push_back(std::move(points));
@@ -88,11 +96,14 @@ std::vector<PointGroup> run_points(const PlotInputs& inputs, const std::vector<R
 CurvePoint curve_point(const PlotInputs& inputs, Abscissa abscissa, const PlacedPrediction& placed) {
   const auto& [x, plotted] = placed;
   const Prediction& prediction = plotted.prediction;
-  if (!is_relative(inputs)) return {.x = x, .y = prediction.velocity, .usable = prediction.usable};
+  const double error = prediction.uncertainty.value_or(0) * std::abs(prediction.velocity);
+  if (!is_relative(inputs))
+    return {.x = x, .y = prediction.velocity, .usable = prediction.usable, .error = error};
   const Prediction& reference = reference_at(inputs, abscissa, x, plotted.source);
   return {.x = x,
           .y = relative_difference(prediction.velocity, reference),
-          .usable = prediction.usable && reference.usable};
+          .usable = prediction.usable && reference.usable,
+          .error = 100 * error / std::abs(reference.velocity)};
 }
 
 std::vector<Curve> prediction_curves(const PlotInputs& inputs, Abscissa abscissa) {

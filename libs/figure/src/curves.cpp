@@ -100,12 +100,14 @@ void append_points_and_curves(const std::vector<PointGroup>& groups, const std::
 void append_levels(const std::vector<Level>& levels, double from, double to, int colour, Panel& panel) {
   for (int l = 0; l < static_cast<int>(levels.size()); ++l) {
     const Level& level = levels[static_cast<std::size_t>(l)];
-    panel.series.push_back({.label = level.label,
-                            .x = {from, to},
-                            .y = {level.y, level.y},
-                            .mark = Mark::line,
-                            .colour = colour,
-                            .dash = l});
+    panel.series.push_back(
+        {.label = level.label,
+         .x = {from, to},
+         .y = {level.y, level.y},
+         .errors = level.error > 0 ? std::vector{level.error, level.error} : std::vector<double>{},
+         .mark = Mark::line,
+         .colour = colour,
+         .dash = l});
   }
 }
 

@@ -26,12 +26,14 @@ void require_plottable(const ErrorPoint& point, const std::string& quantity, con
 }
 
 /// Returns the Pareto front in order of increasing cost: each of its points has a smaller error than all
-/// cheaper points.
-std::vector<ErrorPoint> pareto_front(std::vector<ErrorPoint> points) {
+/// cheaper points. Errors below `uncertainty`, that of the reference, count as equal to it.
+std::vector<ErrorPoint> pareto_front(std::vector<ErrorPoint> points, double uncertainty) {
   std::ranges::sort(points, {}, [](const ErrorPoint& p) { return std::pair(p.cost, p.error); });
   std::vector<ErrorPoint> front;
-  for (const ErrorPoint& point : points)
+  for (const ErrorPoint& point : points) {
+    if (!front.empty() && front.back().error <= uncertainty) break;
     if (front.empty() || point.error < front.back().error) front.push_back(point);
+  }
   return front;
 }
 
@@ -72,13 +74,17 @@ void add_panel(const QuantityErrors& errors, const std::string& cost, Figure& fi
     points.insert(points.end(), one.points.begin(), one.points.end());
     panel.series.push_back(std::move(series));
   }
-  const std::vector<ErrorPoint> front = pareto_front(points);
+  const std::vector<ErrorPoint> front = pareto_front(points, errors.uncertainty.value_or(0));
   Series line{.label = "front", .mark = Mark::line, .colour = black, .emphasis = Emphasis::faint};
   append(front, line);
   panel.series.push_back(std::move(line));
   if (errors.uncertainty) panel.series.push_back(uncertainty_line(points, *errors.uncertainty));
   figure.panels.push_back(std::move(panel));
-  figure.notes.push_back({.text = fmt::format("Most accurate {}: {}.", errors.quantity, front.back().name)});
+  const bool is_within = front.back().error <= errors.uncertainty.value_or(0);
+  figure.notes.push_back(
+      {.text = fmt::format("{} {}: {}.",
+                           is_within ? "Cheapest within the uncertainty of the reference," : "Most accurate",
+                           errors.quantity, front.back().name)});
 }
 
 }  // namespace

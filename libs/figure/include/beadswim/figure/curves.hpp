@@ -35,6 +35,7 @@ struct Curve {
 struct Level {
   std::string label;
   double y = 0;
+  double error = 0;  ///< half width of the band around the level
 };
 
 /// Appends to the panel each group as filled markers, then each curve as a line. A curve with few points also
