@@ -95,6 +95,17 @@ TEST(SwarmPicture, AllIsOnThePage) {
   }
 }
 
+// The length is the largest 1, 2 or 5 times a power of ten up to a quarter of the box.
+TEST(SwarmPicture, ScaleBarHasARoundLength) {
+  for (const auto& [box, text] : {std::pair(120.0, "20 um"), std::pair(90.0, "20 um"),
+                                  std::pair(70.0, "10 um"), std::pair(2.1, "0.5 um")}) {
+    SwarmPicture picture = picture_of({swimmer_at({1, 1, 1}, 0)});
+    picture.box = {box, box, box};
+    picture.length_unit = "um";
+    EXPECT_THAT(swarm_picture_to_svg(picture), HasSubstr(std::string(">") + text + "<")) << box;
+  }
+}
+
 TEST(SwarmPicture, KeysAndNotesAreWritten) {
   SwarmPicture picture = picture_of({swimmer_at({60, 40, 30}, 0)});
   picture.keys = {{"a & b", 0}, {"c", 1}};

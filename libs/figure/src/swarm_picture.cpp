@@ -14,6 +14,7 @@ namespace beadswim {
 namespace {
 
 // Dimensions of the page [px], unless stated otherwise.
+constexpr double scale_bar_room = 16;  // below the box [px]
 constexpr double margin = 16;
 constexpr double picture_top = 44, picture_width = 720, picture_height = 560;
 constexpr double title_size = 14, label_size = 12.5, line_pitch = 16;
@@ -175,6 +176,27 @@ std::string draw_distances(const SwarmPicture& picture, const Perspective& view)
   return elements;
 }
 
+/// Returns the largest of the numbers 1, 2 and 5 times a power of ten that is at most `limit`.
+double round_length(double limit) {
+  const double power = std::pow(10, std::floor(std::log10(limit)));
+  return limit >= 5 * power ? 5 * power : limit >= 2 * power ? 2 * power : power;
+}
+
+/// Draws a bar below the lower front edge of the box, with its length there.
+std::string draw_scale_bar(const SwarmPicture& picture, const Perspective& view) {
+  constexpr double below = 12, half_end = 3;  // [px]
+  const double length = round_length(picture.box.x() / 4);
+  svg::Point a = view.project(Vec3::Zero()), b = view.project({length, 0, 0});
+  a.y += below;
+  b.y += below;
+  std::string elements = svg::line(a, b, distance_stroke);
+  for (const svg::Point& end : {a, b})
+    elements += svg::line({end.x, end.y - half_end}, {end.x, end.y + half_end}, distance_stroke);
+  return elements + svg::text({a.x, b.y + label_size + 3},
+                              fmt::format("{:g} {}", length, picture.length_unit),
+                              {.size = label_size, .anchor = svg::Anchor::start, .halo = halo});
+}
+
 std::string draw_keys(const SwarmPicture& picture, double top) {
   std::string elements;
   double x = margin + 6;
@@ -239,7 +261,7 @@ std::string swarm_picture_to_svg(const SwarmPicture& picture) {
   const Perspective view(extent.low, extent.high, {margin, picture_top}, picture_width, picture_height);
   const double radius = view.projected_size(picture.box / 2, reference_radius(picture));
   const double width = std::max(view.width() + label_room(picture) + 2 * margin, 420.0);
-  double top = picture_top + view.height() + 12;
+  double top = picture_top + view.height() + 12 + scale_bar_room;
 
   std::string elements = definitions(std::max(0.3, bond_width * radius), std::clamp(radius / 15, 0.1, 0.6));
   elements += svg::text({margin, 28}, picture.title,
@@ -247,7 +269,7 @@ std::string swarm_picture_to_svg(const SwarmPicture& picture) {
   elements += draw_edges(picture, view, true);
   elements += draw_swimmers(picture, view);
   elements += draw_edges(picture, view, false) + draw_axis_names(picture, view);
-  elements += draw_distances(picture, view) + draw_marks(picture, view);
+  elements += draw_distances(picture, view) + draw_marks(picture, view) + draw_scale_bar(picture, view);
   if (!picture.keys.empty()) elements += draw_keys(picture, top += line_pitch);
   const NoteBlock notes = draw_notes(picture.notes, {margin, top + line_pitch}, width - 2 * margin);
   return svg::document(width, notes.bottom + margin, picture.title, elements + notes.elements);
