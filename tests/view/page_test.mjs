@@ -33,10 +33,10 @@ async function opened(name, { viewport = { width: 1280, height: 800 }, from = br
   return { page, faults, requests, message: await page.textContent("#message") };
 }
 
-/** The canvas alone, without the legend that lies over it, when it has been drawn. */
+/** The canvas alone, without legend and axes that lie over it, when it has been drawn. */
 async function picture(page) {
   await page.evaluate(() => {
-    document.getElementById("legend").style.visibility = "hidden";
+    for (const id of ["legend", "triad"]) document.getElementById(id).style.visibility = "hidden";
     return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
   });
   return decoded(browser, await page.locator("#canvas").screenshot());
@@ -279,7 +279,65 @@ test("fits a narrow screen", async () => {
   const boxes = await Promise.all(["#canvas", "#controls", "#panel"].map((id) => page.locator(id).boundingBox()));
   assert.ok(boxes[0].width > 300 && boxes[0].height > 300);
   assert.ok(boxes[1].y >= boxes[0].y + boxes[0].height - 1 && boxes[2].y >= boxes[1].y + boxes[1].height - 1, "one below the other");
+  const legend = await page.locator("#legend").boundingBox();
+  assert.ok(legend.height > 10 && legend.y >= boxes[0].y + boxes[0].height - 1, "the legend lies below the swimmers, not over them");
   await page.close();
+});
+
+/** Colours of the triad in the corner of a drawing, and the mean place of each in it. */
+async function triadOf(page, image) {
+  const colours = { x: isOf([213, 94, 0]), y: isOf([0, 158, 115]), z: blue };
+  return Object.fromEntries(Object.entries(colours).map(([name, colour]) => [name, patches(image, colour, 3)]));
+}
+
+test("shows the directions of the axes", async () => {
+  const { page } = await opened("alone.html");
+  const shown = async (view) => {
+    await page.click(`[data-view="${view}"]`);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    return triadOf(page, await decoded(browser, await page.locator("#triad").screenshot()));
+  };
+  const y = await shown("y"), middle = 37; // seen along y: x to the right, z up
+  assert.ok(y.x.some((patch) => patch.x > middle + 8 && Math.abs(patch.y - middle) < 4), JSON.stringify(y));
+  assert.ok(y.z.some((patch) => patch.y < middle - 8 && Math.abs(patch.x - middle) < 4), JSON.stringify(y));
+  const z = await shown("z"); // from above: x to the right, y up
+  assert.ok(z.y.some((patch) => patch.y < middle - 8 && Math.abs(patch.x - middle) < 4), JSON.stringify(z));
+  await page.close();
+});
+
+test("saves the picture and the numbers", async () => {
+  const { page } = await opened("alone.html");
+  await page.locator("#swimmer").fill("7");
+  await page.locator("#swimmer").press("Enter");
+  const saved = async (button) => {
+    const [file] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
+    return [file.suggestedFilename(), readFileSync(await file.path())];
+  };
+  const [picture, png] = await saved("#save-picture");
+  assert.equal(picture, "alone-swimmer-7-frame-0.png");
+  const image = await decoded(browser, png);
+  assert.equal(patches(image, blue).filter(({ width }) => width > 8).length, 3, "three beads");
+  const [numbers, csv] = await saved("#save-numbers");
+  assert.equal(numbers, "alone-swimmer-7.csv");
+  const [head, ...lines] = csv.toString().trim().split("\n");
+  assert.equal(head, "quantity,unit,curve,cycle,value");
+  const { cycles } = record("alone.json").swimmers[0];
+  const velocities = lines.filter((line) => line.startsWith('"Velocity')).map((line) => Number(line.split(",").at(-1)));
+  velocities.forEach((velocity, cycle) => close(velocity, cycles[cycle].speed_along_axis, 1e-3, `velocity in cycle ${cycle + 1}`));
+  assert.equal(velocities.length, 2);
+  assert.ok(lines.some((line) => line.startsWith('"Stroke: arm lengths","lattice units","arm 1",0,18')), lines[0]);
+  await page.close();
+});
+
+test("labels of ticks are true to their values", async () => {
+  const ticks = [[0, 2.5e-4, 5e-4], [0, 0.25, 0.5, 0.75], [0, 10, 20], [100000.5, 100001, 100001.5], [-2e-5, 0, 2e-5]];
+  const { build } = createRequire(modules + "/")("esbuild");
+  const bundled = await build({ entryPoints: [`${modules}/src/ticks.ts`], bundle: true, write: false, format: "cjs" });
+  const made = { exports: {} };
+  new Function("module", bundled.outputFiles[0].text)(made);
+  const labels = ticks.map(made.exports.tickLabels);
+  assert.deepEqual(labels, [["0", "2.5e-4", "5.0e-4"], ["0", "0.25", "0.50", "0.75"], ["0", "10", "20"],
+    ["1.000005e+5", "1.000010e+5", "1.000015e+5"], ["-2e-5", "0", "2e-5"]]);
 });
 
 test("runs no script but its own", async () => {

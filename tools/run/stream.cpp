@@ -179,6 +179,8 @@ int ranks_per_run(const RunOptions& options, int layouts, int ranks) {
 
 void check_flags(const StoredLayouts& layouts, const RunOptions& options) {
   refuse_flags(options, {"--restart", "--plan"}, "is for a single layout; leave it out");
+  if (options.settings.model != RunModel::automatic)
+    refuse_flags_of_other_models(options, options.settings.model);
   const std::size_t mark = options.output.find(number_mark);
   if (mark == std::string::npos || options.output.find(number_mark, mark + 1) != std::string::npos)
     throw InputError("--output", fmt::format("\"{}\": each of the {} layouts needs a trajectory of its own; "

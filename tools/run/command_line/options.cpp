@@ -277,21 +277,24 @@ void refuse_flags(const RunOptions& options, std::initializer_list<const char*> 
     if (options.given.contains(flag)) throw InputError(flag, why);
 }
 
-void refuse_lattice_flags(const RunOptions& options, RunModel model) {
+void refuse_flags_of_other_models(const RunOptions& options, RunModel model) {
+  if (model == RunModel::lbm) {
+    refuse_flags(options, {"--sum-tolerance", "--steps-per-cycle", "--multipole-order", "--reynolds-stress"},
+                 "the flag applies to mobility models only; leave it out, or add --model rpy, rpy+near, "
+                 "multipole, oseen or unsteady");
+    return;
+  }
   refuse_flags(
       options,
       {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
        "--radius-correction", "--lubrication", "--friction", "--precision", "--refine", "--flow-every"},
       "the flag applies to the lattice only; leave the flag out, or use --model lbm instead of " +
           to_text(model));
-}
-
-void refuse_mobility_flags(const RunOptions& options, MobilityModel model) {
-  if (!has_moment_order(model))
+  if (!has_moment_order(*mobility_model(model)))
     refuse_flags(options, {"--multipole-order"},
                  "the flag applies to the models multipole and unsteady only; leave it out, or add --model "
                  "multipole");
-  if (model != MobilityModel::unsteady)
+  if (model != RunModel::unsteady)
     refuse_flags(options, {"--reynolds-stress"},
                  "the flag applies to the model unsteady only; leave it out, or add --model unsteady");
 }

@@ -60,12 +60,9 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
 void refuse_flags(const RunOptions& options, std::initializer_list<const char*> flags,
                   const std::string& why);
 
-/// Throws InputError if the command line contains a flag that affects only the model lbm. `model`: mobility
-/// model of the run, for the message.
-void refuse_lattice_flags(const RunOptions& options, RunModel model);
-
-/// Throws InputError if the command line contains a flag of other mobility models than `model`.
-void refuse_mobility_flags(const RunOptions& options, MobilityModel model);
+/// Throws InputError if the command line contains a flag of other models than `model`, which is not
+/// automatic.
+void refuse_flags_of_other_models(const RunOptions& options, RunModel model);
 
 /// Returns the flags that affect the motion of the beads, with their values in `settings`. These values must
 /// stay the same when a run continues from a checkpoint.

@@ -79,9 +79,7 @@ CoupledScene with_levels(CoupledScene scene, const std::vector<std::array<int, 6
 LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                          const Communicator& ranks)
     : communicator(ranks), on_lattice(put_on_lattice(layout, requested.settings.lattice, source)) {
-  refuse_flags(requested, {"--sum-tolerance", "--steps-per-cycle", "--multipole-order", "--reynolds-stress"},
-               "the flag applies to mobility models only; leave it out, or add --model rpy, rpy+near, "
-               "multipole, oseen or unsteady");
+  refuse_flags_of_other_models(requested, RunModel::lbm);
   require_memory(on_lattice.scene, communicator);
   const LatticeChoice& lattice = on_lattice.lattice;
   options = requested;

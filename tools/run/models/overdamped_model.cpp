@@ -19,8 +19,7 @@ constexpr const char *beads_section = "overdamped", *memory_section = "memory";
 OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                                const Communicator& ranks)
     : communicator(ranks), kinematic_viscosity(layout.fluid.kinematic_viscosity) {
-  refuse_lattice_flags(requested, requested.settings.model);
-  refuse_mobility_flags(requested, *mobility_model(requested.settings.model));
+  refuse_flags_of_other_models(requested, requested.settings.model);
   options = requested;
   OverdampedSetup setup =
       overdamped_setup(layout, *mobility_model(requested.settings.model), requested.settings.mobility,

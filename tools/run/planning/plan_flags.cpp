@@ -19,14 +19,7 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
     request.multipole_order = options.settings.mobility.multipole_order;
   request.tolerance = options.tolerance;
   request.require_choices_apply = [&options](const RunSettings& settings) {
-    if (settings.model != RunModel::lbm) {
-      refuse_lattice_flags(options, settings.model);
-      refuse_mobility_flags(options, *mobility_model(settings.model));
-    } else {
-      refuse_flags(options,
-                   {"--sum-tolerance", "--steps-per-cycle", "--multipole-order", "--reynolds-stress"},
-                   "the flag applies to mobility models only; leave it out");
-    }
+    refuse_flags_of_other_models(options, settings.model);
   };
   request.lattice_speed = [&communicator] { return speed_of_this_machine(communicator); };
   return request;
@@ -43,7 +36,8 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
     if (lattice.precision != usual.precision) flags += " --precision " + to_text(lattice.precision);
     if (lattice.bead_boundary != usual.bead_boundary)
       flags += " --bead-boundary " + to_text(lattice.bead_boundary);
-    if (const int finer = lattice.refinement.value_or(0); finer != 0) flags += fmt::format(" --refine {}", finer);
+    if (const int finer = lattice.refinement.value_or(0); finer != 0)
+      flags += fmt::format(" --refine {}", finer);
   }
   if (const auto mobility = mobility_model(settings.model); mobility && has_moment_order(*mobility))
     flags += fmt::format(" --multipole-order {}", settings.mobility.multipole_order);

@@ -1,6 +1,7 @@
 // Plots of quantities against time in base periods, beside the 3D view. A vertical line marks the time of the frame in the view.
 
 import uPlot from "uplot";
+import { tickLabels } from "./ticks";
 
 export interface Curve {
   label: string;
@@ -24,16 +25,6 @@ function range(_: uPlot, low: number, high: number): uPlot.Range.MinMax {
   if (low == null || high == null) return [0, 1];
   const margin = high > low ? 0.08 * (high - low) : Math.max(0.1 * Math.abs(high), 1e-3);
   return [low - margin, high + margin];
-}
-
-/** Returns the labels of axis ticks, with enough digits to distinguish neighbouring ticks. */
-function tickLabels(_: uPlot, values: number[]): string[] {
-  const spacing = Math.abs(values[1] - values[0]) || 1, largest = Math.max(...values.map(Math.abs), spacing);
-  if (largest < 1e-2 || largest >= 1e5) {
-    const digits = Math.max(0, Math.floor(Math.log10(largest)) - Math.floor(Math.log10(spacing) + 1e-9));
-    return values.map((value) => (value === 0 ? "0" : value.toExponential(digits)));
-  }
-  return values.map((value) => value.toFixed(Math.max(0, -Math.floor(Math.log10(spacing) + 1e-9))));
 }
 
 export class Charts {
@@ -72,7 +63,7 @@ export class Charts {
       ...this.chartSize(),
       title: `${plot.title} (${plot.unit})`,
       scales: { x: { time: false }, y: { range } },
-      axes: [{ ...axis, label: "cycles of the driving", labelSize: 20, size: 34 }, { ...axis, size: 70, values: tickLabels }],
+      axes: [{ ...axis, label: "cycles of the driving", labelSize: 20, size: 34 }, { ...axis, size: 70, values: (_: uPlot, values: number[]) => tickLabels(values) }],
       series: [{ label: "cycle", value: (_: uPlot, value: number | null) => formatNumber(value) }, ...series],
       cursor: { drag: { x: false, y: false } },
       hooks: { draw: [(chart) => this.drawTime(chart)], ready: [(chart) => this.addClickListener(chart), (chart) => this.showValues(chart)] },

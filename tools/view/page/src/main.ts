@@ -3,6 +3,7 @@
 
 import { Charts } from "./charts";
 import { colouring, colourings, unavailableReason, toCss, type Colouring, type ColouringName } from "./colours";
+import { download, plotsToCsv } from "./download";
 import { beadsAt, isSmooth, framePositionAt, positionsAt, timeAt, wrap, type Point } from "./motion";
 import { makePlots } from "./plots";
 import { middleBead, PageFault, readScene, type Scene } from "./scene";
@@ -35,7 +36,7 @@ class Player {
 
   constructor(private readonly scene: Scene) {
     this.last = scene.times.length - 1;
-    this.stage = new Stage(element<HTMLCanvasElement>("canvas"), scene);
+    this.stage = new Stage(element<HTMLCanvasElement>("canvas"), scene, element<HTMLCanvasElement>("triad"));
     this.charts = new Charts(element("charts"), (time) => this.seek(framePositionAt(scene, time)));
     this.colouring = colouring(scene, "block");
     this.stage.onPick = (swimmer) => this.pick(swimmer);
@@ -85,6 +86,8 @@ class Player {
     this.swimmer.addEventListener("change", () => this.pickById(this.swimmer.value));
     this.wrapping.addEventListener("change", () => this.show(this.framePosition));
     this.following.addEventListener("change", () => this.show(this.framePosition));
+    element("save-picture").addEventListener("click", () => void this.savePicture());
+    element("save-numbers").addEventListener("click", () => this.saveNumbers());
     for (const button of document.querySelectorAll<HTMLButtonElement>("[data-view]")) {
       button.addEventListener("click", () => this.stage.setView(button.dataset.view as View));
     }
@@ -203,6 +206,20 @@ class Player {
     });
     const scale = ends.map((end) => Object.assign(document.createElement("span"), { textContent: end }));
     element("legend-ends").replaceChildren(...(labels.length ? labels : scale));
+  }
+
+  private fileName(end: string): string {
+    const swimmer = this.picked === null ? "" : `-swimmer-${this.scene.ids[this.picked]}`;
+    return this.scene.file.replace(/\.h5md$/, "") + swimmer + end;
+  }
+
+  private async savePicture(): Promise<void> {
+    const picture = await this.stage.picture(getComputedStyle(document.body).backgroundColor);
+    if (picture) download(this.fileName(`-frame-${Math.round(this.framePosition)}.png`), picture);
+  }
+
+  private saveNumbers(): void {
+    download(this.fileName(".csv"), new Blob([plotsToCsv(makePlots(this.scene, this.picked))], { type: "text/csv" }));
   }
 
   private pickById(text: string): void {

@@ -6,6 +6,7 @@ import type { Colour } from "./colours";
 import type { Point } from "./motion";
 import { PageFault, type Scene } from "./scene";
 import { beadFragment, beadVertex, springFragment, springVertex } from "./shaders";
+import { drawTriad, triadSize } from "./triad";
 
 export type View = "all" | "x" | "y" | "z";
 
@@ -45,10 +46,13 @@ export class Stage {
   private readonly picked = { value: -1 };
   private readonly path: three.Line;
   private readonly sceneSize: number; // length of the diagonal of boundary()
+  private readonly triad: CanvasRenderingContext2D;
   private drawRequested = false;
 
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly scene: Scene) {
+  /** `triad`: canvas for the triad of axes. */
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly scene: Scene, triad: HTMLCanvasElement) {
     this.renderer = renderer(canvas);
+    this.triad = triad.getContext("2d")!;
     this.positions = new Float32Array(scene.start);
     this.swimmerOf = Float32Array.from(scene.shapes.flatMap((shape, s) => Array<number>(shape.beads).fill(s)));
     this.bonds = Uint32Array.from(scene.shapes.flatMap((shape, s) => shape.bonds.flat().map((bead) => scene.firstBead[s] + bead)));
@@ -148,10 +152,37 @@ export class Stage {
     this.drawRequested = true;
     requestAnimationFrame(() => {
       this.drawRequested = false;
-      this.fitToCanvas();
-      this.setClipRange();
-      this.renderer.render(this.world, this.camera);
+      this.render();
     });
+  }
+
+  /** Returns the view as a picture (PNG), with the triad of axes, on a background of the colour `paper`. */
+  picture(paper: string): Promise<Blob | null> {
+    this.render(); // the browser keeps the drawing only until the next frame
+    const { width, height } = this.canvas, zoom = this.renderer.getPixelRatio();
+    const copy = Object.assign(document.createElement("canvas"), { width, height }), context = copy.getContext("2d")!;
+    context.fillStyle = paper;
+    context.fillRect(0, 0, width, height);
+    context.drawImage(this.canvas, 0, 0);
+    context.scale(zoom, zoom);
+    drawTriad(context, this.axisDirections(), width / zoom - triadSize / 2, height / zoom - triadSize / 2, paper);
+    return new Promise((done) => copy.toBlob(done, "image/png"));
+  }
+
+  private render(): void {
+    this.fitToCanvas();
+    this.setClipRange();
+    this.renderer.render(this.world, this.camera);
+    const { canvas } = this.triad, zoom = this.renderer.getPixelRatio();
+    canvas.width = canvas.height = triadSize * zoom; // clears it
+    this.triad.scale(zoom, zoom);
+    drawTriad(this.triad, this.axisDirections(), triadSize / 2, triadSize / 2, getComputedStyle(document.body).backgroundColor);
+  }
+
+  /** Returns the directions of x, y and z in the frame of the camera: right, up, to the eye. */
+  private axisDirections(): Point[] {
+    const toCamera = this.camera.quaternion.clone().invert();
+    return [0, 1, 2].map((a) => new three.Vector3().setComponent(a, 1).applyQuaternion(toCamera).toArray() as Point);
   }
 
   private addSwimmers(): void {
