@@ -63,7 +63,7 @@ export class Charts {
       ...this.chartSize(),
       title: `${plot.title} (${plot.unit})`,
       scales: { x: { time: false }, y: { range } },
-      axes: [{ ...axis, label: "cycles of the driving", labelSize: 20, size: 34 }, { ...axis, size: 70, values: (_: uPlot, values: number[]) => tickLabels(values) }],
+      axes: [{ ...axis, label: "cycles of the driving", labelSize: 20, size: 34 }, { ...axis, size: (_, labels) => 20 + 7 * Math.max(6, ...(labels ?? []).map((label) => label.length)), values: (_: uPlot, values: number[]) => tickLabels(values) }],
       series: [{ label: "cycle", value: (_: uPlot, value: number | null) => formatNumber(value) }, ...series],
       cursor: { drag: { x: false, y: false } },
       hooks: { draw: [(chart) => this.drawTime(chart)], ready: [(chart) => this.addClickListener(chart), (chart) => this.showValues(chart)] },
