@@ -22,7 +22,7 @@ has_flags() { # KIND FLAG...   these alone, beside those of all kinds
 for kind in $kinds; do out_has "^  $kind$"; done
 has_flags stroke --data --method --cycle --against --bonds
 has_flags velocity-against-period --data --method --cycle --relative-to --axes
-has_flags against --data --x --y --group-by --log --method --cycle
+has_flags against --data --x --y --colour --group-by --log --method --cycle
 has_flags separation --data --method --cycle --relative-to --axes
 has_flags speed-against-error --data --method --cycle --reference
 has_flags trajectories --data --swimmers --beads --along --against

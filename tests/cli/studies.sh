@@ -204,6 +204,17 @@ for ranks_and_group in '2 1' '2 2' '3 2'; do
   check "$ranks ranks in groups of $group: the same results" cmp <(jq -c 'del(.provenance, .cost, .request_sha256)' runs.jsonl) <(jq -c 'del(.request_sha256)' "ranks-$ranks-$group.jsonl")
 done
 
+# A map of two quantities.
+accepts beadswim-plot against study-theory.jsonl --x period --y phase --colour velocity --method rpy-ode --log x -o map.svg --data map.csv
+check 'a value per layout' test "$(tail -n +2 map.csv | wc -l)" -eq 14
+check 'the values of the predictions' cmp <(tail -n +2 map.csv | cut -d, -f7- | sort) \
+  <(jq -r '[.study.period, .study.phase, (.predictions[] | select(.method == "rpy-ode") | .velocity)] | map(tostring) | join(",")' study-theory.jsonl | sort)
+accepts beadswim-plot against runs.jsonl --x period --y phase --colour arm_amplitudes -o map.pdf
+refuses 'a second value for period = 2000, phase = 0.523599' beadswim-plot against study-theory.jsonl --x period --y phase --colour velocity --method all
+refuses '--y: unknown value "phase".* a second quantity of the study needs --colour' beadswim-plot against study-theory.jsonl --x period --y phase
+refuses '"radius" is not varied in' beadswim-plot against study-theory.jsonl --x period --y radius --colour velocity
+refuses '--group-by: a map shows one value per point' beadswim-plot against study-theory.jsonl --x period --y phase --colour velocity --group-by phase
+
 # A campaign that is killed at any moment ends with the same records.
 beadswim-layout vary base.json --over phase=30deg:150deg:24 >campaign.jsonl
 campaign=(--model multipole --multipole-order 2 --cycles 3 --progress none --no-provenance)

@@ -166,5 +166,30 @@ TEST(Figure, ItsNumbersAreLinesOfValues) {
   EXPECT_THAT(figure_to_csv(figure), HasSubstr(",3,0.25,0.02\n"));
 }
 
+Figure small_map() {
+  Panel panel{.x_label = {"stiffness"}, .y_label = {"phase", "rad"}};
+  panel.cells = {{.x = 1, .y = 2, .value = 10, .x_low = 0.5, .x_high = 1.5, .y_low = 1.5, .y_high = 2.5},
+                 {.x = 2, .y = 2, .value = 30, .x_low = 1.5, .x_high = 2.5, .y_low = 1.5, .y_high = 2.5},
+                 {.x = 2, .y = 3, .value = 20, .x_low = 1.5, .x_high = 2.5, .y_low = 2.5, .y_high = 3.5}};
+  panel.value_label = {"velocity", "um/s"};
+  return {.title = "Map", .panels = {panel}};
+}
+
+// The least value has the first colour of the map, the greatest the last, the mean of both the middle one.
+TEST(Map, ColoursGoFromTheLeastToTheGreatestValue) {
+  const std::string svg = figure_to_svg(small_map());
+  for (const char* colour : {"#440154", "#fde725", "#21908d"}) EXPECT_THAT(svg, HasSubstr(colour));
+  EXPECT_THAT(svg, HasSubstr(">velocity (um/s)<"));
+  EXPECT_LT(svg.find("#440154"), svg.find("#fde725"));
+}
+
+TEST(Map, DataHaveThreeNumbersPerLine) {
+  EXPECT_EQ(figure_to_csv(small_map()),
+            "x_name,x_unit,y_name,y_unit,value_name,value_unit,x,y,value\n"
+            "\"stiffness\",\"\",\"phase\",\"rad\",\"velocity\",\"um/s\",1,2,10\n"
+            "\"stiffness\",\"\",\"phase\",\"rad\",\"velocity\",\"um/s\",2,2,30\n"
+            "\"stiffness\",\"\",\"phase\",\"rad\",\"velocity\",\"um/s\",2,3,20\n");
+}
+
 }  // namespace
 }  // namespace beadswim

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -29,7 +31,9 @@ namespace {
 
 struct AgainstFlags {
   std::string x, group_by, cycle = "last";
-  StudyResult y = StudyResult::velocity;
+  std::string y_name = "velocity";        ///< a result; for a map a quantity of the study
+  StudyResult y = StudyResult::velocity;  ///< result on the vertical axis
+  std::optional<StudyResult> colour;      ///< result that a map shows
   LogAxes log = LogAxes::none;
   MethodChoice methods;
 };
@@ -68,11 +72,16 @@ Json study_value(const Json& study, const std::string& name, const std::string& 
           : fmt::format("\"{}\" is not varied in {}: {}", name, source, format_unknown_name(name, names)));
 }
 
-double abscissa(const Json& study, const AgainstFlags& flags, const std::string& source) {
-  const Json value = study_value(study, flags.x, source, "--x");
+double number_in_study(const Json& study, const std::string& name, const std::string& source,
+                       const std::string& flag) {
+  const Json value = study_value(study, name, source, flag);
   if (value.is_number()) return value.get<double>();
-  throw InputError("--x", fmt::format("\"{}\" is the word {} in {}, not a number; use it with --group-by",
-                                      flags.x, value.dump(), source));
+  throw InputError(flag, fmt::format("\"{}\" is the word {} in {}, not a number; use it with --group-by",
+                                     name, value.dump(), source));
+}
+
+double abscissa(const Json& study, const AgainstFlags& flags, const std::string& source) {
+  return number_in_study(study, flags.x, source, "--x");
 }
 
 /// Returns the smallest number of digits, at least 4, with which the values of --group-by have different
@@ -155,23 +164,120 @@ std::vector<Curve> prediction_curves(const PlotInputs& inputs, const AgainstFlag
   return curves;
 }
 
-AxisLabel study_label(const AgainstFlags& flags, const Units& units) {
-  if (flags.x == "period") return {"period", time_unit(units)};
-  if (flags.x == "radius" || flags.x == "arm") return {flags.x, length_unit(units)};
-  if (flags.x == "phase") return {"phase", "rad"};
-  return {flags.x};
+AxisLabel study_label(const std::string& name, const Units& units) {
+  if (name == "period") return {"period", time_unit(units)};
+  if (name == "radius" || name == "arm") return {name, length_unit(units)};
+  if (name == "phase") return {"phase", "rad"};
+  return {name};
+}
+
+std::string capitalised(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// Values of a map, by the part of the result ("" or the arm) and the point (x, y).
+using MapValues = std::map<std::string, std::map<std::pair<double, double>, double>>;
+
+/// Adds the values of a document. Throws InputError if there is a value at its point already.
+void add_to_map(const std::vector<ResultValue>& values, const Json& study, const AgainstFlags& flags,
+                const std::string& source, MapValues& map) {
+  const std::pair point{number_in_study(study, flags.x, source, "--x"),
+                        number_in_study(study, flags.y_name, source, "--y")};
+  for (const ResultValue& value : values) {
+    if (map[value.part].emplace(point, value.value).second) continue;
+    throw InputError(source,
+                     fmt::format("a second value for {} = {:g}, {} = {:g}; a map shows one value per point: "
+                                 "name one method with --method, or files of one study and one model",
+                                 flags.x, point.first, flags.y_name, point.second));
+  }
+}
+
+/// Returns the edges between sorted places and beyond the first and the last, in the middle between
+/// neighbours on an axis of this scale.
+std::vector<double> edges_of(const std::set<double>& places, ScaleKind scale) {
+  const bool is_log = scale == ScaleKind::logarithmic;
+  std::vector<double> at, edges;
+  for (const double place : places) at.push_back(is_log ? std::log(place) : place);
+  const auto spacing = [&](std::size_t i) { return at.size() > 1 ? at[i + 1] - at[i] : 1; };
+  edges.push_back(at.front() - spacing(0) / 2);
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) edges.push_back((at[i] + at[i + 1]) / 2);
+  edges.push_back(at.back() + spacing(at.size() > 1 ? at.size() - 2 : 0) / 2);
+  if (is_log)
+    for (double& edge : edges) edge = std::exp(edge);
+  return edges;
+}
+
+std::vector<MapCell> cells_of(const std::map<std::pair<double, double>, double>& values, const Panel& panel) {
+  std::set<double> xs, ys;
+  for (const auto& [point, value] : values) {
+    xs.insert(point.first);
+    ys.insert(point.second);
+  }
+  const std::vector<double> x_edges = edges_of(xs, panel.x_scale), y_edges = edges_of(ys, panel.y_scale);
+  std::vector<MapCell> cells;
+  for (const auto& [point, value] : values) {
+    if (!std::isfinite(value)) continue;
+    const auto i = static_cast<std::size_t>(std::distance(xs.begin(), xs.find(point.first)));
+    const auto j = static_cast<std::size_t>(std::distance(ys.begin(), ys.find(point.second)));
+    cells.push_back({.x = point.first,
+                     .y = point.second,
+                     .value = value,
+                     .x_low = x_edges[i],
+                     .x_high = x_edges[i + 1],
+                     .y_low = y_edges[j],
+                     .y_high = y_edges[j + 1]});
+  }
+  return cells;
+}
+
+/// Throws InputError if a logarithmic axis would have places that are not positive.
+void require_positive(const MapValues& map, const AgainstFlags& flags) {
+  const bool log_x = flags.log == LogAxes::x || flags.log == LogAxes::xy;
+  const bool log_y = flags.log == LogAxes::y || flags.log == LogAxes::xy;
+  for (const auto& [part, values] : map)
+    for (const auto& [point, value] : values)
+      if ((log_x && point.first <= 0) || (log_y && point.second <= 0))
+        throw InputError("--log", "a logarithmic axis needs values above 0; leave the flag out");
+}
+
+Figure map_figure(const PlotInputs& inputs, const AgainstFlags& flags) {
+  MapValues map;
+  const CycleChoice cycle = parse_cycle_choice(flags.cycle);
+  for (const PlottedRun& run : inputs.runs)
+    add_to_map(results_of(run.record, run.record.swimmers.front(), *flags.colour, cycle, run.source),
+               run.record.study.value_or(Json()), flags, run.source, map);
+  for (const PlottedPrediction& plotted : inputs.predictions)
+    add_to_map(results_of(plotted.prediction, *flags.colour), plotted.study, flags, plotted.source, map);
+  require_positive(map, flags);
+  const AxisLabel result = label_of(*flags.colour, inputs.units);
+  Figure figure{
+      .title = capitalised(fmt::format("{} against {} and {}", result.quantity, flags.x, flags.y_name)),
+      .panels = {},
+      .notes = {}};
+  for (const auto& [part, values] : map) {
+    Panel panel{.x_label = study_label(flags.x, inputs.units),
+                .y_label = study_label(flags.y_name, inputs.units)};
+    if (flags.log == LogAxes::x || flags.log == LogAxes::xy) panel.x_scale = ScaleKind::logarithmic;
+    if (flags.log == LogAxes::y || flags.log == LogAxes::xy) panel.y_scale = ScaleKind::logarithmic;
+    panel.value_label = {part.empty() ? result.quantity : part, result.unit};
+    panel.cells = cells_of(values, panel);
+    figure.panels.push_back(std::move(panel));
+  }
+  const std::string by = inputs.runs.empty() ? inputs.methods.front() : inputs.runs.front().record.model;
+  figure.notes.push_back({.text = fmt::format("Each rectangle is one layout of the study, by {}.", by)});
+  return figure;
 }
 
 Figure against_figure(const PlotInputs& inputs, const AgainstFlags& flags) {
-  Panel panel{.x_label = study_label(flags, inputs.units), .y_label = label_of(flags.y, inputs.units)};
+  Panel panel{.x_label = study_label(flags.x, inputs.units), .y_label = label_of(flags.y, inputs.units)};
   append_points_and_curves(run_points(inputs, flags), prediction_curves(inputs, flags), std::nullopt, panel);
   if (flags.log == LogAxes::x || flags.log == LogAxes::xy) panel.x_scale = ScaleKind::logarithmic;
   if (flags.log == LogAxes::y || flags.log == LogAxes::xy) panel.y_scale = ScaleKind::logarithmic;
   std::vector<Note> notes{reading_note(inputs),
                           {.text = "Bars and bands: uncertainties that runs and predictions state."}};
   if (has_omitted_values(panel)) notes.push_back({.text = "Lines break where values are not positive."});
-  std::string title = fmt::format("{} against {}", panel.y_label.quantity, flags.x);
-  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  const std::string title = capitalised(fmt::format("{} against {}", panel.y_label.quantity, flags.x));
   return {.title = title, .panels = {std::move(panel)}, .notes = notes};
 }
 
@@ -184,7 +290,12 @@ Drawing add_against_flags(CLI::App& command) {
                   "Quantity of the study on the horizontal axis, as beadswim-layout vary names it")
       ->type_name("NAME")
       ->required();
-  add_choice(command, "--y", flags->y, "Result on the vertical axis");
+  command
+      .add_option("--y", flags->y_name,
+                  "Result on the vertical axis; with --colour a second quantity of the study, for a map")
+      ->type_name("velocity|efficiency|power|arm_amplitudes|angular_velocity|NAME")
+      ->capture_default_str();
+  add_choice(command, "--colour", flags->colour, "Result that a map shows by colours");
   command
       .add_option("--group-by", flags->group_by,
                   "Quantity of the study for whose values separate curves and marks are drawn")
@@ -195,6 +306,16 @@ Drawing add_against_flags(CLI::App& command) {
   add_cycle(command, flags->cycle);
   return [flags](const PlotFiles& files) {
     parse_cycle_choice(flags->cycle);
+    if (flags->colour) {
+      if (!flags->group_by.empty())
+        throw InputError("--group-by", "a map shows one value per point; leave the flag out");
+      return map_figure(read_plot_inputs(files.inputs, flags->methods), *flags);
+    }
+    const auto result = value_named<StudyResult>(flags->y_name);
+    if (!result)
+      throw InputError("--y", fmt::format("{}; a second quantity of the study needs --colour",
+                                          format_unknown_name(flags->y_name, all_names<StudyResult>())));
+    flags->y = *result;
     return against_figure(read_plot_inputs(files.inputs, flags->methods), *flags);
   };
 }

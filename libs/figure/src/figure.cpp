@@ -83,6 +83,12 @@ struct PanelRange {
         if (can_show(y_end, panel.y_scale)) y.include(y_end);
     }
   }
+  void include(const MapCell& cell, const Panel& panel) {
+    for (const double end : {cell.x_low, cell.x_high})
+      if (can_show(end, panel.x_scale)) x.include(end);
+    for (const double end : {cell.y_low, cell.y_high})
+      if (can_show(end, panel.y_scale)) y.include(end);
+  }
   bool is_empty() const { return x.high < x.low; }
 };
 
@@ -94,6 +100,10 @@ PanelRange panel_range(const Panel& panel) {
   for (const Series& series : panel.series) {
     all.include(series, panel);
     if (series.emphasis == Emphasis::plain) plain.include(series, panel);
+  }
+  for (const MapCell& cell : panel.cells) {
+    all.include(cell, panel);
+    plain.include(cell, panel);
   }
   if (all.is_empty()) {
     const bool logarithmic = panel.y_scale == ScaleKind::logarithmic;
@@ -259,9 +269,78 @@ std::string draw_legend(const PlotArea& area, const std::vector<Series>& all_ser
   return elements;
 }
 
+/// Returns a colour from dark blue (0) over green to yellow (1), whose lightness grows evenly. The stops are
+/// those of the colour map viridis of Matplotlib (Smith & van der Walt, 2015, CC0).
+std::string map_colour(double share) {
+  constexpr std::array<std::array<double, 3>, 9> stops{{{68, 1, 84},
+                                                        {71, 44, 122},
+                                                        {59, 81, 139},
+                                                        {44, 113, 142},
+                                                        {33, 144, 141},
+                                                        {39, 173, 129},
+                                                        {92, 200, 99},
+                                                        {170, 220, 50},
+                                                        {253, 231, 37}}};
+  const double place = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
+  const std::size_t before = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+  std::array<int, 3> colour{};
+  for (std::size_t c = 0; c < 3; ++c)
+    colour[c] =
+        static_cast<int>(std::lround(stops[before][c] + (place - static_cast<double>(before)) *
+                                                            (stops[before + 1][c] - stops[before][c])));
+  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+}
+
+Range value_range(const std::vector<MapCell>& cells) {
+  Range range;
+  for (const MapCell& cell : cells) range.include(cell.value);
+  return range;
+}
+
+std::string draw_map(const PlotArea& area, const std::vector<MapCell>& cells) {
+  const auto [low, high] = value_range(cells);
+  std::string elements;
+  for (const MapCell& cell : cells)
+    elements += svg::area({area.at(cell.x_low, cell.y_low), area.at(cell.x_high, cell.y_low),
+                           area.at(cell.x_high, cell.y_high), area.at(cell.x_low, cell.y_high)},
+                          map_colour(high > low ? (cell.value - low) / (high - low) : 0.5), 1);
+  return elements;
+}
+
+constexpr double bar_width = 16;  // of the bar of colours [px]
+
+/// Draws the bar of colours of a map at its right, with ticks and the name of the value.
+std::string draw_colour_bar(const PlotArea& area, const Panel& panel) {
+  constexpr int steps = 64;
+  constexpr double top_room = 26;
+  const auto [low, high] = value_range(panel.cells);
+  const double top = area.top + top_room, height = area.bottom() - top;
+  const AxisScale scale = linear_scale(low, high, TickKind::any);
+  std::string elements = svg::text({legend_left, area.top + 10},
+                                   label_text(panel.value_label, scale.exponent), {.size = label_size});
+  for (int s = 0; s < steps; ++s) {
+    const double upper = top + height * (steps - 1 - s) / steps, lower = upper + height / steps + 0.5;
+    elements += svg::area({{legend_left, lower},
+                           {legend_left + bar_width, lower},
+                           {legend_left + bar_width, upper},
+                           {legend_left, upper}},
+                          map_colour((s + 0.5) / steps), 1);
+  }
+  for (const double tick : scale.ticks) {
+    if (tick < low || tick > high) continue;
+    const double y = high > low ? area.bottom() - height * (tick - low) / (high - low) : top + height / 2;
+    elements +=
+        svg::line({legend_left + bar_width, y}, {legend_left + bar_width + tick_length, y}, frame_stroke);
+    elements +=
+        svg::text({legend_left + bar_width + tick_length + 4, y + 4}, scale.tick_label(tick), {tick_size});
+  }
+  return elements;
+}
+
 std::string draw_panel(const Panel& panel, double top) {
   const PlotArea area = plot_area(panel, top);
   std::string elements = draw_x_axis(area, panel.x_label) + draw_y_axis(area, panel.y_label);
+  if (!panel.cells.empty()) elements += draw_map(area, panel.cells) + draw_colour_bar(area, panel);
   elements += svg::rectangle({plot_left, top}, plot_width, plot_height, frame_stroke);
   // Lines are drawn first, so that they do not hide points.
   for (const Series& series : panel.series) {
@@ -279,6 +358,10 @@ double page_width(const Figure& figure) {
     for (const Series& series : panel.series) {
       right = std::max(right, legend_left + legend_key_width + 8 + svg::text_width(series.label, tick_size));
     }
+    if (panel.cells.empty()) continue;
+    constexpr int likely_exponent = -5;  // of the bar's ticks, for the width of its label
+    right = std::max(
+        right, legend_left + svg::text_width(label_text(panel.value_label, likely_exponent), label_size));
   }
   return std::ceil(right + margin);
 }
@@ -305,6 +388,18 @@ std::vector<std::string> csv_lines(const Panel& panel, const Series& series) {
   return lines;
 }
 
+std::string maps_to_csv(const Figure& figure) {
+  std::string lines = "x_name,x_unit,y_name,y_unit,value_name,value_unit,x,y,value\n";
+  for (const Panel& panel : figure.panels) {
+    std::string names;
+    for (const AxisLabel& label : {panel.x_label, panel.y_label, panel.value_label})
+      names += quoted(label.quantity) + "," + quoted(label.unit) + ",";
+    for (const MapCell& cell : panel.cells)
+      lines += fmt::format("{}{},{},{}\n", names, cell.x, cell.y, cell.value);
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::string figure_to_svg(const Figure& figure) {
@@ -322,6 +417,8 @@ std::string figure_to_svg(const Figure& figure) {
 }
 
 std::string figure_to_csv(const Figure& figure) {
+  const auto has_map = [](const Panel& panel) { return !panel.cells.empty(); };
+  if (std::ranges::any_of(figure.panels, has_map)) return maps_to_csv(figure);
   std::string lines = "y_name,y_unit,x_name,x_unit,series,x,y,y_error\n";
   for (const Panel& panel : figure.panels) {
     std::set<std::string> written;  // a faint line repeats its neighbours on the plain line

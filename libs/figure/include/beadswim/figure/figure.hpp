@@ -39,9 +39,17 @@ struct AxisLabel {
   std::string unit{};
 };
 
+/// A value at (x, y), shown as the colour of a rectangle around this point.
+struct MapCell {
+  double x = 0, y = 0, value = 0;
+  double x_low = 0, x_high = 0, y_low = 0, y_high = 0;  ///< edges of the rectangle
+};
+
 struct Panel {
   AxisLabel x_label, y_label;
   std::vector<Series> series{};
+  std::vector<MapCell> cells{};  ///< a map; its colours, from dark to light, are explained by a bar
+  AxisLabel value_label{};       ///< of the values of the map
   TickKind x_ticks = TickKind::any;
   ScaleKind x_scale = ScaleKind::linear, y_scale = ScaleKind::linear;
 };
@@ -59,7 +67,7 @@ std::string figure_to_svg(const Figure& figure);
 
 /// Returns the numbers that the figure draws as comma-separated values, a line per point: names and units of
 /// both axes, label of the series, x, y, and the error if the series has any. Faint points follow the plain
-/// ones.
+/// ones. For maps: names and units of x, y and the value, and the three numbers.
 std::string figure_to_csv(const Figure& figure);
 
 }  // namespace beadswim
