@@ -80,7 +80,7 @@ has_status 3
 err_has '1 of 2 layouts have no result'
 check 'a failure in its place' holds -s '.[0].study.velocity > 0 and .[1].status == "failed" and .[1].member == 2 and .[1].study.arm == 9' out
 check 'a trace of both' holds -s 'map(.layout) | unique == [1, 2]' arms.trace
-# What was found can be searched again.
+# The layout that was found can be searched again.
 run beadswim-optimise stream.jsonl --free phase=80deg:100deg --minimise power --method oseen-force-closed
 has_status 0
 check 'the earlier results are gone' holds -s 'all(.study | has("velocity") | not) and all(.study.power > 0)' out

@@ -11,7 +11,7 @@ namespace {
 using std::numbers::pi;
 
 Trial free_trial(double value) {
-  return {.value = value, .excess = {}};
+  return {.value = value, .violations = {}};
 }
 
 TEST(Search, FindsTheLowestOfManyMinimaOfOneNumber) {
@@ -40,13 +40,13 @@ TEST(Search, FindsBraninsMinimum) {
 TEST(Search, ReachesTheLimitOfAConstraint) {
   // The product x y under x^2 + y^2 <= 1/2 is greatest at x = y = 1/2.
   const auto product = [](const Position& u) {
-    return Trial{.value = -u[0] * u[1], .excess = {(u[0] * u[0] + u[1] * u[1] - 0.5) / 0.5}};
+    return Trial{.value = -u[0] * u[1], .violations = {(u[0] * u[0] + u[1] * u[1] - 0.5) / 0.5}};
   };
-  const SearchResult found = search(2, product, {.constraints = 1, .evaluations = 200});
+  const SearchResult found = search(2, product, {.num_inequalities = 1, .evaluations = 200});
   EXPECT_TRUE(found.trial.is_feasible());
   EXPECT_NEAR(*found.trial.value, -0.25, 1e-5);
   EXPECT_NEAR(found.best[0], 0.5, 2e-3);
-  EXPECT_LE(found.trial.largest_excess(), 0);
+  EXPECT_LE(found.trial.max_violation(), 0);
 }
 
 TEST(Search, FindsAnOptimumBesidePositionsWithoutAValue) {
@@ -81,16 +81,16 @@ TEST(Search, FindsTheLowestMinimumOfFiveNumbersWithTheSamePathForTheSameSeed) {
 }
 
 TEST(Search, SaysIfNoPositionIsFeasible) {
-  const auto never = [](const Position& u) { return Trial{.value = u[0], .excess = {1 + u[0]}}; };
-  const SearchResult found = search(1, never, {.constraints = 1, .evaluations = 60});
+  const auto never = [](const Position& u) { return Trial{.value = u[0], .violations = {1 + u[0]}}; };
+  const SearchResult found = search(1, never, {.num_inequalities = 1, .evaluations = 60});
   EXPECT_FALSE(found.trial.is_feasible());
-  EXPECT_NEAR(found.trial.largest_excess(), 1, 1e-3);
+  EXPECT_NEAR(found.trial.max_violation(), 1, 1e-3);
 }
 
 TEST(FlatRange, EndsWhereTheFunctionHasGrownByItsShare) {
   // -1 + 4 (x - 0.4)^2 grows by 1 % within 0.05.
   const EvaluateTrial well = [](const Position& u) {
-    return Trial{.value = -1 + 4 * std::pow(u[0] - 0.4, 2), .excess = {u[0] - 0.43}};
+    return Trial{.value = -1 + 4 * std::pow(u[0] - 0.4, 2), .violations = {u[0] - 0.43}};
   };
   const EvaluateTrial free = [&](const Position& u) { return free_trial(*well(u).value); };
   const SearchResult best{.best = {0.4}, .trial = free_trial(-1), .evaluations = 1};

@@ -11,20 +11,14 @@
 namespace beadswim {
 namespace {
 
-void require_one_stdin(const ComparisonRequest& request) {
-  const auto stdins = std::count(request.files.begin(), request.files.end(), "-") +
-                      std::count(request.further_references.begin(), request.further_references.end(), "-");
-  if (stdins > 1)
-    throw InputError("-", "standard input can be read only once; name files for the other inputs");
-}
-
 /// Returns the study of a document; null if it belongs to none.
 Json study_in(const Json& document) {
   return document.is_object() ? document.value("study", Json()) : Json();
 }
 
-std::string study_text(const Json& study) {
-  return study.is_null() ? "without a study" : "of the study " + study.dump();
+/// Returns the reason of a failure for the documents that depend on it.
+std::string failure_reason(const Json& failure, const std::string& source) {
+  return fmt::format("{} is a failure: {}", source, failure.value("reason", ""));
 }
 
 }  // namespace
@@ -42,7 +36,9 @@ ComparisonFiles::ComparisonFiles(const ComparisonRequest& request) {
                                                      "the run records the reference for the comparison",
                                                      request.files.empty() ? "no file" : "one file"));
   }
-  require_one_stdin(request);
+  std::vector<std::string> all = request.files;
+  all.insert(all.end(), request.further_references.begin(), request.further_references.end());
+  require_one_standard_input(all);
   for (std::size_t i = 0; i + 1 < request.files.size(); ++i) runs_.push_back(open(request.files[i]));
   references_.push_back(open(request.files.back()));
   for (const std::string& path : request.further_references) references_.push_back(open(path));
@@ -53,11 +49,13 @@ bool ComparisonFiles::is_stream() const {
   return std::ranges::any_of(runs_, is_several) || std::ranges::any_of(references_, is_several);
 }
 
-SwimmingDocument ComparisonFiles::only_document(File& file) {
-  if (!file.stream) return run_of_trajectory(file.path);
-  const StreamMember member = *file.stream->next();
-  file.stream->rewind();
-  return swimming_from_json(parse_json(member.text, member.source), member.source);
+const SwimmingDocument& ComparisonFiles::only_document(File& file) {
+  if (!file.only && !file.stream) file.only = run_of_trajectory(file.path);
+  if (!file.only) {
+    const StreamMember member = *file.stream->next();
+    file.only = swimming_from_json(parse_json(member.text, member.source), member.source);
+  }
+  return *file.only;
 }
 
 ComparisonInputs ComparisonFiles::all() {
@@ -90,7 +88,10 @@ int ComparisonFiles::check() {
     file.stream->rewind();
   }
   for (File& file : references_) {
-    if (!file.stream) continue;
+    if (file.is_single) {
+      only_document(file);
+      continue;
+    }
     while (const auto member = file.stream->next()) {
       const Json json = parse_json(member->text, member->source);
       if (!is_failure(json)) swimming_from_json(json, member->source);
@@ -111,14 +112,14 @@ std::string ComparisonFiles::add_reference(File& file, const Json& study, Compar
     while (const auto member = file.stream->next()) {
       const Json json = parse_json(member->text, member->source);
       if (study_in(json) != study) continue;
-      if (is_failure(json))
-        return fmt::format("{} is a failure: {}", member->source, json.value("reason", ""));
+      if (is_failure(json)) return failure_reason(json, member->source);
       inputs.references.push_back({member->source, swimming_from_json(json, member->source)});
       return "";
     }
     file.stream->rewind();
   }
-  return fmt::format("{} has no document {}", source_name(file.path), study_text(study));
+  return fmt::format("{} has no document {}", source_name(file.path),
+                     study.is_null() ? "without a study" : "of the study " + study.dump());
 }
 
 std::optional<ComparisonFiles::Member> ComparisonFiles::next() {
@@ -134,7 +135,7 @@ std::optional<ComparisonFiles::Member> ComparisonFiles::next() {
       const Json json = parse_json(member->text, member->source);
       next.study = study_in(json);
       if (is_failure(json)) {
-        next.reason = fmt::format("{} is a failure: {}", member->source, json.value("reason", ""));
+        next.reason = failure_reason(json, member->source);
       } else {
         next.inputs.runs.push_back({member->source, run_from_json(json, member->source)});
       }

@@ -39,10 +39,11 @@ class ComparisonFiles {
     std::string path;
     std::optional<DocumentStream> stream;  ///< nullopt: a trajectory
     bool is_single = true;
+    std::optional<SwimmingDocument> only{};  ///< the document of a single one, once it has been read
   };
 
   static File open(const std::string& path);
-  static SwimmingDocument only_document(File& file);
+  static const SwimmingDocument& only_document(File& file);
   std::string add_reference(File& file, const Json& study, ComparisonInputs& inputs);
 
   std::vector<File> runs_, references_;

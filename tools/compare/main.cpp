@@ -92,16 +92,12 @@ int compare_stream(ComparisonFiles& files, const ComparisonRequest& request) {
       reason = error.what();
     }
     ++failed;
-    write_text("-", dump_json_line(failure_to_json({.program = "beadswim-compare",
-                                                    .member = member->number,
-                                                    .reason = reason,
-                                                    .study = member->study})));
+    write_text("-", failure_line({.program = "beadswim-compare",
+                                  .member = member->number,
+                                  .reason = reason,
+                                  .study = member->study}));
   }
-  if (failed > 0)
-    throw SolverError(
-        fmt::format("{} of {} runs have no verdict: see the key \"reason\" of documents with "
-                    "\"status\": \"failed\"",
-                    failed, runs));
+  require_no_failures(failed, runs, "runs have no verdict");
   print_to_stderr(fmt::format("verdicts: {} of {} pass\n", runs - negative, runs));
   return static_cast<int>(negative == 0 ? ExitStatus::fine : ExitStatus::negative_verdict);
 }

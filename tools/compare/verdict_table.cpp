@@ -7,6 +7,8 @@
 #include <functional>
 #include <map>
 
+#include "beadswim/documents/study_text.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -96,35 +98,25 @@ std::vector<std::string> best_methods(const Rows& rows, std::size_t count) {
 /// Leaves the rows that decide and those of the best methods, of the sections with the largest deciding
 /// errors. Keeps their order.
 void shorten(std::vector<Section>& sections) {
-  constexpr std::size_t most_sections = 8, most_methods = 3;
+  constexpr std::size_t max_sections = 8, max_methods = 3;
   const auto error = [](const Section& section) {
     return largest_error(section.rows, [](const ComparisonRow& row) { return row.decides; });
   };
   std::vector<double> errors;
   for (const Section& section : sections) errors.push_back(error(section));
   std::ranges::sort(errors, std::greater());
-  if (sections.size() > most_sections) {
-    const double smallest = errors[most_sections - 1];
+  if (sections.size() > max_sections) {
+    const double smallest = errors[max_sections - 1];
     std::size_t kept = 0;
-    std::erase_if(sections, [&](const Section& section) {
-      return error(section) < smallest || ++kept > most_sections;
-    });
+    std::erase_if(sections,
+                  [&](const Section& section) { return error(section) < smallest || ++kept > max_sections; });
   }
   for (Section& section : sections) {
-    const std::vector<std::string> best = best_methods(section.rows, most_methods);
+    const std::vector<std::string> best = best_methods(section.rows, max_methods);
     std::erase_if(section.rows, [&](const ComparisonRow* row) {
       return !row->decides && std::ranges::find(best, row->method) == best.end();
     });
   }
-}
-
-std::string varied_text(const Json& study) {
-  std::string text;
-  for (const auto& [name, value] : study.items())
-    text += fmt::format(
-        "{}{} = {}", text.empty() ? "" : ", ", name,
-        value.is_string() ? value.get<std::string>() : fmt::format("{:.6g}", value.get<double>()));
-  return text;
 }
 
 }  // namespace
@@ -164,7 +156,7 @@ std::string verdict_line(const VerdictDocument& document) {
     errors += fmt::format("{}{} {}{}", errors.empty() ? "" : ", ", quantity_text(row), error_text(row),
                           uncertainty.empty() ? "" : " " + uncertainty);
   }
-  const std::string study = varied_text(document.study);
+  const std::string study = study_text(document.study, 6);
   return fmt::format("{}: {} by {}: {}\n", study.empty() ? document.rows.front().run_source : study,
                      verdict(document.rows) ? "pass" : "FAIL", document.decided_by, errors);
 }

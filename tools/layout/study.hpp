@@ -12,7 +12,7 @@ namespace beadswim {
 
 /// A quantity and the values that it takes in turn.
 struct Variation {
-  std::string name;          ///< of quantity_name()
+  std::string name;          ///< as quantity_name() returns it
   std::vector<Json> values;  ///< numbers (angles in radian) or words
 };
 

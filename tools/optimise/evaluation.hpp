@@ -10,7 +10,7 @@
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/documents/study_result.hpp"
 
-// What a swimmer does in its layout, by a theory method or by a model.
+// Velocity, power and other outcomes of a layout, by a theory method or by a model.
 
 namespace beadswim {
 

@@ -21,7 +21,7 @@ namespace beadswim {
 namespace {
 
 struct Flags {
-  std::vector<std::string> files{"-"}, free, limits;
+  std::vector<std::string> files{"-"}, free, constraints;
   std::optional<Outcome> maximise, minimise;
   std::string method = "rpy-ode", model, verify_by, trace;
   std::optional<int> evaluations;
@@ -71,7 +71,7 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
                 "Result that is to be as small as possible, with its sign");
   program
       ->add_option(
-          "--subject-to", flags.limits,
+          "--subject-to", flags.constraints,
           "A limit of velocity, angular_velocity, efficiency, power, or of gap, the smallest between "
           "the beads of an arm. Repeatable")
       ->type_name("NAME=[MIN]:[MAX]")
@@ -124,13 +124,13 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
   return program;
 }
 
-Aims aims_of(const Flags& flags) {
+Problem problem_of(const Flags& flags) {
   if (flags.maximise.has_value() == flags.minimise.has_value())
     throw InputError("--maximise", "name one objective with --maximise or --minimise");
   const bool is_maximised = flags.maximise.has_value();
   return {.objective = is_maximised ? *flags.maximise : *flags.minimise,
           .is_maximised = is_maximised,
-          .limits = parse_limits(flags.limits)};
+          .constraints = parse_constraints(flags.constraints)};
 }
 
 void require_compatible(const Flags& flags) {
@@ -184,12 +184,12 @@ class Searches {
   Searches(const Flags& flags, const CLI::App& program)
       : flags_(flags),
         program_(program),
-        aims_(aims_of(flags)),
+        problem_(problem_of(flags)),
         free_(parse_free_values(flags.free)),
         layouts_(flags.files),
         by_(evaluator_of(flags)) {
     if (!flags.verify_by.empty()) verifier_ = verifier_of(flags);
-    for (; const auto member = layouts_.next(); ++count_) Optimisation(*member, aims_, free_, by_, trace_);
+    for (; const auto member = layouts_.next(); ++count_) Optimisation(*member, problem_, free_, by_, trace_);
     layouts_.rewind();
   }
 
@@ -209,11 +209,7 @@ class Searches {
         write_failure(*member, error.what());
       }
     }
-    if (failed_ > 0)
-      throw SolverError(
-          fmt::format("{} of {} layouts have no result: see the key \"reason\" of documents with "
-                      "\"status\": \"failed\"",
-                      failed_, count_));
+    require_no_failures(failed_, count_, "layouts have no result");
     if (unverified_ > 0)
       throw SolverError(fmt::format("{} could not verify what was found", flags_.verify_by));
   }
@@ -223,10 +219,10 @@ class Searches {
  private:
   LayoutDocument find(const StreamMember& member) {
     const int dimensions = static_cast<int>(free_.size());
-    Optimisation optimisation(member, aims_, free_, by_, trace_);
+    Optimisation optimisation(member, problem_, free_, by_, trace_);
     optimisation.begin();
     if (verifier_ && !is_model(verifier_->name)) optimisation.require_treated_by(*verifier_);
-    optimisation.find({.constraints = aims_.constraints(),
+    optimisation.find({.num_inequalities = problem_.num_inequalities(),
                        .evaluations = flags_.evaluations.value_or(default_evaluations(dimensions)),
                        .seed = static_cast<unsigned long>(flags_.seed)});
     unverified_ += verifier_ && !optimisation.verify(*verifier_);
@@ -241,15 +237,15 @@ class Searches {
 
   void write_failure(const StreamMember& member, const std::string& reason) {
     ++failed_;
-    write_text("-", dump_json_line(failure_to_json({.program = optimise_name,
-                                                    .member = member.number,
-                                                    .reason = reason,
-                                                    .study = layout_of(member).study})));
+    write_text("-", failure_line({.program = optimise_name,
+                                  .member = member.number,
+                                  .reason = reason,
+                                  .study = layout_of(member).study}));
   }
 
   const Flags& flags_;
   const CLI::App& program_;
-  const Aims aims_;
+  const Problem problem_;
   const std::vector<FreeValue> free_;
   DocumentStream layouts_;
   const OpenFile trace_ = temporary_file();

@@ -51,7 +51,7 @@ void remove_earlier_results(const std::vector<FreeValue>& free, Json& layout) {
 std::vector<Position> first_positions(std::size_t dimensions) {
   std::vector<Position> positions;
   for (const double coordinate : {0.5, 0.0, 1.0}) positions.emplace_back(dimensions, coordinate);
-  std::mt19937 random;  // of default seed
+  std::mt19937 random;  // with its default seed
   while (positions.size() < 64) {
     Position& position = positions.emplace_back();
     for (std::size_t i = 0; i < dimensions; ++i) position.push_back(random() * 0x1p-32);
@@ -61,18 +61,18 @@ std::vector<Position> first_positions(std::size_t dimensions) {
 
 }  // namespace
 
-Optimisation::Optimisation(StreamMember member, const Aims& aims, const std::vector<FreeValue>& free,
+Optimisation::Optimisation(StreamMember member, const Problem& problem, const std::vector<FreeValue>& free,
                            const NamedEvaluator& by, const OpenFile& trace)
     : member_(std::move(member)),
-      layout_(parse_json(member_.text, member_.source)),  // as it is: rest lengths without a value stay so
-      aims_(aims),
+      layout_(parse_json(member_.text, member_.source)),  // unchanged: absent rest lengths stay absent
+      problem_(problem),
       free_(free),
       by_(by),
       trace_(trace) {
   layout_of(member_);  // throws if it is invalid
   remove_earlier_results(free_, layout_);
   require_numbers();
-  find_valid_positions();
+  require_valid_layout();
 }
 
 /// Throws InputError if a JSON pointer leads to a word.
@@ -86,48 +86,45 @@ void Optimisation::require_numbers() const {
   }
 }
 
-/// Throws InputError, with the reason for one of them, if no layout is valid.
-void Optimisation::find_valid_positions() {
+/// Throws InputError, with the reason for one of them, if no layout at the first positions is valid.
+void Optimisation::require_valid_layout() const {
   std::string reason;
   for (const Position& position : first_positions(free_.size())) {
     try {
       with_values(layout_, study_point(free_, position), member_.source, free_flag);
-      valid_.push_back(position);
+      return;
     } catch (const InputError& error) {
       reason = error.what();
     }
   }
-  if (valid_.empty()) throw InputError(reason);
+  throw InputError(reason);
 }
 
 void Optimisation::begin() {
-  std::string reason;
-  const auto take = [&](const Outcomes& outcomes) {
-    aims_.require_outcomes(outcomes, by_.name);
-    typical_ = outcomes;
-  };
-  const auto is_taken = [&](const LayoutDocument& layout, const std::string& stage, const Json& study) {
+  const auto is_evaluated = [&](const auto& make_layout, const std::string& stage, const Json& study) {
     Outcomes outcomes;
     try {
-      outcomes = by_.evaluator->evaluate(layout, member_.source);
-      take(outcomes);
+      outcomes = by_.evaluator->evaluate(make_layout(), member_.source);
+      problem_.require_outcomes(outcomes, by_.name);
+      typical_ = outcomes;
     } catch (const InputError& error) {
-      reason = error.what();
+      reason_ = error.what();
     } catch (const SolverError& error) {
-      reason = error.what();
+      reason_ = error.what();
     }
-    record(stage, study, outcomes, typical_ ? "" : reason);
+    record(stage, study, outcomes, typical_ ? "" : reason_);
     return typical_.has_value();
   };
-  if (is_taken(layout_of(member_), "given", Json::object())) {
+  if (is_evaluated([&] { return layout_of(member_); }, "given", Json::object())) {
     given_ = typical_;
     return;
   }
-  for (const Position& position : valid_) {
+  for (const Position& position : first_positions(free_.size())) {
     const StudyPoint point = study_point(free_, position);
-    if (is_taken(with_values(layout_, point, member_.source, free_flag), "first", study_of(point))) return;
+    const auto make_layout = [&] { return with_values(layout_, point, member_.source, free_flag); };
+    if (is_evaluated(make_layout, "first", study_of(point))) return;
   }
-  throw InputError(reason);
+  throw InputError(reason_);
 }
 
 void Optimisation::find(const SearchSettings& settings) {
@@ -142,7 +139,7 @@ void Optimisation::find(const SearchSettings& settings) {
   find_ranges(found);
   best_ = with_values(layout_, study_point(free_, found.best), member_.source, free_flag);
   outcomes_ = by_.evaluator->evaluate(best_, member_.source);
-  best_.study[to_text(aims_.objective)] = outcomes_.at(aims_.objective).value;
+  best_.study[to_text(problem_.objective)] = outcomes_.at(problem_.objective).value;
   for (std::size_t i = 0; i < free_.size(); ++i) {
     best_.study[free_[i].names.front() + "_from"] = free_[i].at(ranges_[i].first);
     best_.study[free_[i].names.front() + "_to"] = free_[i].at(ranges_[i].second);
@@ -152,20 +149,20 @@ void Optimisation::find(const SearchSettings& settings) {
 
 void Optimisation::require_treated_by(const NamedEvaluator& other) const {
   if (given_)
-    aims_.require_outcomes(other.evaluator->evaluate(layout_of(member_), member_.source), other.name);
+    problem_.require_outcomes(other.evaluator->evaluate(layout_of(member_), member_.source), other.name);
 }
 
 bool Optimisation::verify(const NamedEvaluator& other) {
-  const std::string objective = to_text(aims_.objective);
+  const std::string objective = to_text(problem_.objective);
   std::string reason;
   try {
     const Outcomes outcomes = other.evaluator->evaluate(best_, member_.source);
-    aims_.require_outcomes(outcomes, other.name);
-    const double value = outcomes.at(aims_.objective).value, ours = outcomes_.at(aims_.objective).value;
+    problem_.require_outcomes(outcomes, other.name);
+    const double value = outcomes.at(problem_.objective).value, ours = outcomes_.at(problem_.objective).value;
     const std::string difference =
         ours == 0 ? "" : fmt::format(", {:+.2g} % from {}", 100 * (value - ours) / std::abs(ours), by_.name);
     say(fmt::format("{}: {} {:.6g}{}", other.name, objective, value, difference));
-    report_limits(outcomes, other.name + ": ");
+    report_constraints(outcomes, other.name + ": ");
     record("verification", best_.study, outcomes);
     best_.study[fmt::format("{}_by_{}", objective, other.name)] = value;
     return true;
@@ -185,9 +182,9 @@ Trial Optimisation::evaluate(const Position& position, const std::string& stage)
   try {
     const LayoutDocument layout = with_values(layout_, point, member_.source, free_flag);
     outcomes = by_.evaluator->evaluate(layout, member_.source);
-    aims_.require_outcomes(outcomes, by_.name);
+    problem_.require_outcomes(outcomes, by_.name);
     record(stage, study_of(point), outcomes);
-    return aims_.trial_of(outcomes, *typical_);
+    return problem_.trial_of(outcomes, *typical_);
   } catch (const InputError& error) {
     reason_ = error.what();
   } catch (const SolverError& error) {
@@ -201,7 +198,7 @@ void Optimisation::record(const std::string& stage, const Json& study, const Out
                           const std::string& reason) {
   Json line{{"layout", member_.number}, {"stage", stage}, {"evaluation", ++recorded_}, {"study", study}};
   append_outcomes(outcomes, line);
-  line["feasible"] = reason.empty() ? Json(aims_.trial_of(outcomes, *typical_).is_feasible()) : Json();
+  line["feasible"] = reason.empty() ? Json(problem_.trial_of(outcomes, *typical_).is_feasible()) : Json();
   line["reason"] = reason.empty() ? Json() : Json(reason);
   append(trace_, dump_json_line(line));
 }
@@ -214,15 +211,15 @@ void Optimisation::require_found(const SearchResult& found) const {
   throw SolverError(
       fmt::format("{}: none of {} layouts is within the limits; the best exceeds one by {:.2g} of it; widen "
                   "the bounds of --free or the limits of --subject-to, or give more --evaluations",
-                  member_.source, found.evaluations, found.trial.largest_excess()));
+                  member_.source, found.evaluations, found.trial.max_violation()));
 }
 
 /// Finds the ranges around the best position. If a position in them is better, it takes the place of the
 /// best.
 void Optimisation::find_ranges(SearchResult& found) {
-  constexpr int most_rounds = 3;
-  constexpr double noticeable = 1e-7;  // of the objective
-  for (int round = 0; round < most_rounds; ++round) {
+  constexpr int max_rounds = 3;
+  constexpr double min_improvement = 1e-7;  // relative change of the objective
+  for (int round = 0; round < max_rounds; ++round) {
     SearchResult better = found;
     const auto evaluate_for_range = [&](const Position& position) {
       const Trial trial = evaluate(position, "range");
@@ -235,24 +232,24 @@ void Optimisation::find_ranges(SearchResult& found) {
     ranges_.clear();
     for (int i = 0; i < static_cast<int>(free_.size()); ++i)
       ranges_.push_back(flat_range(found, i, flat_share, evaluate_for_range));
-    if (*found.trial.value - *better.trial.value <= noticeable * std::abs(*found.trial.value)) return;
+    if (*found.trial.value - *better.trial.value <= min_improvement * std::abs(*found.trial.value)) return;
     found = better;
   }
 }
 
 void Optimisation::report(const SearchResult& found) const {
-  const std::string objective = to_text(aims_.objective);
-  const ResultValue& value = outcomes_.at(aims_.objective);
+  const std::string objective = to_text(problem_.objective);
+  const ResultValue& value = outcomes_.at(problem_.objective);
   say(fmt::format("{}: {} {:.6g}{}{}, after {} evaluations by {}, then {}", member_.source, objective,
                   value.value, value.error > 0 ? fmt::format(" ± {:.2g}", value.error) : "",
-                  given_ ? fmt::format(" ({:.6g} as given)", given_->at(aims_.objective).value) : "",
+                  given_ ? fmt::format(" ({:.6g} as given)", given_->at(problem_.objective).value) : "",
                   found.evaluations, found.global, found.local));
   if (!found.has_converged)
     say("warning: the search ended at its largest number of evaluations; more --evaluations can find more");
   if (const auto gap = outcomes_.find(Outcome::gap); gap != outcomes_.end() && gap->second.value <= 0)
     say(fmt::format("warning: beads of an arm overlap in their stroke (gap {:.3g}); add --subject-to gap=0:",
                     gap->second.value));
-  report_limits(outcomes_, "");
+  report_constraints(outcomes_, "");
   constexpr double near_bound = 1e-4;
   for (std::size_t i = 0; i < free_.size(); ++i) {
     const FreeValue& free = free_[i];
@@ -266,18 +263,18 @@ void Optimisation::report(const SearchResult& found) const {
   }
 }
 
-/// Reports limits that are reached or exceeded. `by`: start of the message.
-void Optimisation::report_limits(const Outcomes& outcomes, const std::string& by) const {
-  constexpr double reached = 1e-4;  // distance from a limit, relative to it
-  for (const Limit& limit : aims_.limits) {
-    const double value = outcomes.at(limit.outcome).value;
-    const Aims one{.objective = aims_.objective, .limits = {limit}};
+/// Reports constraints that are active or violated. `by`: start of the message.
+void Optimisation::report_constraints(const Outcomes& outcomes, const std::string& by) const {
+  constexpr double tolerance = 1e-4;  // relative distance from the bound of an active constraint
+  for (const Constraint& constraint : problem_.constraints) {
+    const double value = outcomes.at(constraint.outcome).value;
+    const Problem one{.objective = problem_.objective, .constraints = {constraint}};
     const Trial trial = one.trial_of(outcomes, *typical_);
-    const double excess = std::ranges::max(trial.excess);
-    if (excess > reached) {
-      say(fmt::format("{}{} = {:.6g} is outside its limits", by, to_text(limit.outcome), value));
-    } else if (excess > -reached) {
-      say(fmt::format("{}{} = {:.6g} is at its limit", by, to_text(limit.outcome), value));
+    const double violation = std::ranges::max(trial.violations);
+    if (violation > tolerance) {
+      say(fmt::format("{}{} = {:.6g} is outside its limits", by, to_text(constraint.outcome), value));
+    } else if (violation > -tolerance) {
+      say(fmt::format("{}{} = {:.6g} is at its limit", by, to_text(constraint.outcome), value));
     }
   }
 }

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "aims.hpp"
 #include "beadswim/core/temporary_file.hpp"
 #include "beadswim/io/document_stream.hpp"
 #include "evaluation.hpp"
+#include "problem.hpp"
 #include "search.hpp"
 
 namespace beadswim {
@@ -28,11 +28,11 @@ class Optimisation {
  public:
   /// Throws InputError if a free quantity does not exist, or if no layout was found in the bounds that is
   /// valid. `trace`: takes a line of JSON per evaluation. The arguments must exist as long as the object.
-  Optimisation(StreamMember member, const Aims& aims, const std::vector<FreeValue>& free,
+  Optimisation(StreamMember member, const Problem& problem, const std::vector<FreeValue>& free,
                const NamedEvaluator& by, const OpenFile& trace);
 
   /// Evaluates the layout as it is, or if that fails others in the bounds. Throws InputError if none can be
-  /// evaluated, or if none gives the outcomes of the aims.
+  /// evaluated, or if none gives the outcomes of the problem.
   void begin();
 
   /// Searches, and finds the ranges in which the objective is at most 1 % worse. Throws SolverError if no
@@ -52,27 +52,26 @@ class Optimisation {
 
  private:
   void require_numbers() const;
-  void find_valid_positions();
+  void require_valid_layout() const;
   Trial evaluate(const Position& position, const std::string& stage);
   void record(const std::string& stage, const Json& study, const Outcomes& outcomes,
               const std::string& reason = "");
   void require_found(const SearchResult& found) const;
   void find_ranges(SearchResult& found);
   void report(const SearchResult& found) const;
-  void report_limits(const Outcomes& outcomes, const std::string& by) const;
+  void report_constraints(const Outcomes& outcomes, const std::string& by) const;
 
   StreamMember member_;
   Json layout_;
-  const Aims& aims_;
+  const Problem& problem_;
   const std::vector<FreeValue>& free_;
   const NamedEvaluator& by_;
   const OpenFile& trace_;
-  std::vector<Position> valid_;      ///< positions whose layouts are valid
   std::optional<Outcomes> given_;    ///< outcomes of the layout as it is; nullopt: it cannot be evaluated
-  std::optional<Outcomes> typical_;  ///< those of the first layout that was evaluated
+  std::optional<Outcomes> typical_;  ///< outcomes of the first layout that was evaluated
   std::vector<std::pair<double, double>> ranges_;  ///< ends of the range of each free value
   LayoutDocument best_;
-  Outcomes outcomes_;   ///< of `best_`
+  Outcomes outcomes_;   ///< outcomes of `best_`
   std::string reason_;  ///< why a layout could last not be evaluated
   int recorded_ = 0;    ///< number of lines in the trace
 };

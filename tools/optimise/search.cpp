@@ -9,11 +9,11 @@
 namespace beadswim {
 namespace {
 
-constexpr double smallest_change = 1e-5;  // of a position, at the end of the local search
-constexpr double barrier = 1e6;           // above all values of feasible positions, which are about 1
-constexpr double no_value = 2 * barrier;  // where the function does not exist
-constexpr double global_share = 0.6;      // of the evaluations
-constexpr int round_share = 100;          // evaluations per number in a round of the search
+constexpr double position_tolerance = 1e-5;      // change of positions at which the local search ends
+constexpr double barrier = 1e6;                  // above all values of feasible positions, which are about 1
+constexpr double undefined_value = 2 * barrier;  // where the function does not exist
+constexpr double global_share = 0.6;             // share of the evaluations for the global search
+constexpr int round_share = 100;                 // evaluations per number in a round of the search
 /// Distance from the limits of constraints at which the local search aims. Its linear models are wrong by
 /// less, so that its positions satisfy the constraints.
 constexpr double margin = 1e-6;
@@ -22,7 +22,7 @@ bool is_better(const Trial& trial, const Trial& than) {
   if (trial.is_feasible() != than.is_feasible()) return trial.is_feasible();
   if (trial.is_feasible()) return *trial.value < *than.value;
   if (trial.value.has_value() != than.value.has_value()) return trial.value.has_value();
-  return trial.largest_excess() < than.largest_excess();
+  return trial.max_violation() < than.max_violation();
 }
 
 /// Evaluates each position once and keeps the best. NLopt replaces exceptions of its functions by its own, so
@@ -40,7 +40,7 @@ class Trials {
       result_.best = position;
       result_.trial = trial;
     }
-    have_gaps_ = have_gaps_ || !trial.value;
+    met_undefined_ = met_undefined_ || !trial.value;
     ++result_.evaluations;
     return trial;
   }
@@ -50,7 +50,7 @@ class Trials {
 
   const SearchResult& result() const { return result_; }
   /// Returns whether there were positions without a value.
-  bool have_gaps() const { return have_gaps_; }
+  bool has_met_undefined() const { return met_undefined_; }
   /// Throws the exception of an evaluation, if there was one.
   void rethrow() const {
     if (exception_) std::rethrow_exception(exception_);
@@ -70,13 +70,13 @@ class Trials {
   std::exception_ptr exception_;
   std::map<Position, Trial> trials_;
   double scale_ = 0;
-  bool have_gaps_ = false;
+  bool met_undefined_ = false;
   SearchResult result_;
 };
 
 double value_with_barrier(const Trials& trials, const Trial& trial) {
-  if (!trial.value) return no_value;
-  if (!trial.is_feasible()) return barrier * (1 + std::min(trial.largest_excess(), 0.5));
+  if (!trial.value) return undefined_value;
+  if (!trial.is_feasible()) return barrier * (1 + std::min(trial.max_violation(), 0.5));
   return std::min(trials.scaled(trial), barrier);
 }
 
@@ -91,9 +91,9 @@ Algorithm global_algorithm(int dimensions) {
   return {nlopt::GN_CRS2_LM, "CRS2"};
 }
 
-Algorithm local_algorithm(int dimensions, int constraints, bool has_gaps) {
-  if (constraints > 0) return {nlopt::LN_COBYLA, "COBYLA"};
-  if (has_gaps) return {nlopt::LN_NELDERMEAD, "Nelder-Mead"};
+Algorithm local_algorithm(int dimensions, int num_inequalities, bool has_met_undefined) {
+  if (num_inequalities > 0) return {nlopt::LN_COBYLA, "COBYLA"};
+  if (has_met_undefined) return {nlopt::LN_NELDERMEAD, "Nelder-Mead"};
   if (dimensions == 1) return {nlopt::LN_COBYLA, "COBYLA"};  // BOBYQA needs two
   return {nlopt::LN_BOBYQA, "BOBYQA"};
 }
@@ -138,17 +138,19 @@ void add_constraints(nlopt::opt& algorithm, std::vector<LocalConstraint>& constr
     const Trial& trial = all.at(position);
     return trial.value ? all.scaled(trial) : all.scaled(all.result().trial) + 1;
   };
-  const nlopt::vfunc excess = [](const Position& position, Position&, void* data) {
+  const nlopt::vfunc violation = [](const Position& position, Position&, void* data) {
     const auto& constraint = *static_cast<LocalConstraint*>(data);
     const Trial& trial = constraint.trials.at(position);
-    return trial.value ? trial.excess[constraint.index] + margin : 1;
+    return trial.value ? trial.violations[constraint.index] + margin : 1;
   };
   algorithm.set_min_objective(value, &trials);
-  for (LocalConstraint& constraint : constraints) algorithm.add_inequality_constraint(excess, &constraint, 0);
+  for (LocalConstraint& constraint : constraints)
+    algorithm.add_inequality_constraint(violation, &constraint, 0);
 }
 
 /// Searches globally and then, from the best position, locally.
-SearchResult search_once(int dimensions, const EvaluateTrial& evaluate, int constraints, int evaluations) {
+SearchResult search_once(int dimensions, const EvaluateTrial& evaluate, int num_inequalities,
+                         int evaluations) {
   constexpr double first_step = 0.05;
   Trials trials(evaluate);
   const Algorithm global = global_algorithm(dimensions);
@@ -157,15 +159,15 @@ SearchResult search_once(int dimensions, const EvaluateTrial& evaluate, int cons
   optimise(globally, Position(static_cast<std::size_t>(dimensions), 0.5), trials);
 
   const int left = evaluations - trials.result().evaluations;
-  const Algorithm local = local_algorithm(dimensions, constraints, trials.have_gaps());
+  const Algorithm local = local_algorithm(dimensions, num_inequalities, trials.has_met_undefined());
   bool has_converged = false;
   if (left > 0 && trials.result().trial.value) {
     nlopt::opt locally = algorithm_for(local, dimensions, left, trials);
     std::vector<LocalConstraint> all;
-    for (int c = 0; c < constraints; ++c) all.push_back({trials, static_cast<std::size_t>(c)});
-    if (constraints > 0) add_constraints(locally, all, trials);
+    for (int c = 0; c < num_inequalities; ++c) all.push_back({trials, static_cast<std::size_t>(c)});
+    if (num_inequalities > 0) add_constraints(locally, all, trials);
     locally.set_initial_step(first_step);
-    locally.set_xtol_abs(smallest_change);
+    locally.set_xtol_abs(position_tolerance);
     has_converged = optimise(locally, trials.result().best, trials);
   }
   SearchResult found = trials.result();
@@ -177,14 +179,14 @@ SearchResult search_once(int dimensions, const EvaluateTrial& evaluate, int cons
 
 }  // namespace
 
-double Trial::largest_excess() const {
+double Trial::max_violation() const {
   double largest = 0;
-  for (const double each : excess) largest = std::max(largest, each);
+  for (const double each : violations) largest = std::max(largest, each);
   return largest;
 }
 
 bool Trial::is_feasible() const {
-  return value && largest_excess() <= 0;
+  return value && max_violation() <= 0;
 }
 
 SearchResult search(int dimensions, const EvaluateTrial& evaluate, const SearchSettings& settings) {
@@ -193,7 +195,7 @@ SearchResult search(int dimensions, const EvaluateTrial& evaluate, const SearchS
   SearchResult found;
   for (int round = 0; round < rounds; ++round) {
     const SearchResult next =
-        search_once(dimensions, evaluate, settings.constraints, settings.evaluations / rounds);
+        search_once(dimensions, evaluate, settings.num_inequalities, settings.evaluations / rounds);
     const int evaluations = found.evaluations + next.evaluations;
     if (round == 0 || is_better(next.trial, found.trial)) found = next;
     found.evaluations = evaluations;

@@ -14,21 +14,21 @@ namespace beadswim {
 /// Position in the unit cube.
 using Position = std::vector<double>;
 
-/// Function and constraints at one position.
+/// Value of the function and violations of the constraints at one position.
 struct Trial {
-  std::optional<double> value;  ///< to be made small; nullopt: the function does not exist there
-  std::vector<double> excess;   ///< of each constraint, relative to its limit; satisfied up to 0
+  std::optional<double> value;     ///< to be made small; nullopt: the function does not exist there
+  std::vector<double> violations;  ///< violation of each inequality, relative to its bound; satisfied up to 0
 
-  double largest_excess() const;  ///< 0 if all constraints are satisfied
-  bool is_feasible() const;       ///< the function exists, and all constraints are satisfied
+  double max_violation() const;  ///< 0 if all constraints are satisfied
+  bool is_feasible() const;      ///< the function exists, and all constraints are satisfied
 };
 
 using EvaluateTrial = std::function<Trial(const Position&)>;
 
 struct SearchSettings {
-  int constraints = 0;
+  int num_inequalities = 0;
   int evaluations = 0;     ///< largest number
-  unsigned long seed = 1;  ///< of the global search with random numbers
+  unsigned long seed = 1;  ///< seed of the random numbers of the global search
 };
 
 struct SearchResult {

@@ -10,6 +10,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/documents/study_result.hpp"
+#include "beadswim/documents/study_text.hpp"
 #include "beadswim/figure/curves.hpp"
 #include "beadswim/scene/units.hpp"
 #include "flags.hpp"
@@ -106,9 +107,7 @@ int group_digits(const PlotInputs& inputs, const std::string& name) {
 std::string group_label(const Json& study, const AgainstFlags& flags, int digits, const std::string& source) {
   if (flags.group_by.empty()) return "";
   const Json value = study_value(study, flags.group_by, source, "--group-by");
-  return fmt::format(
-      ", {} = {}", flags.group_by,
-      value.is_string() ? value.get<std::string>() : fmt::format("{:.{}g}", value.get<double>(), digits));
+  return fmt::format(", {} = {}", flags.group_by, study_value_text(value, digits));
 }
 
 std::string part_label(const std::string& part) {
@@ -176,6 +175,14 @@ std::string capitalised(std::string text) {
   return text;
 }
 
+ScaleKind x_scale(LogAxes log) {
+  return log == LogAxes::x || log == LogAxes::xy ? ScaleKind::logarithmic : ScaleKind::linear;
+}
+
+ScaleKind y_scale(LogAxes log) {
+  return log == LogAxes::y || log == LogAxes::xy ? ScaleKind::logarithmic : ScaleKind::linear;
+}
+
 /// Values of a map, by the part of the result ("" or the arm) and the point (x, y).
 using MapValues = std::map<std::string, std::map<std::pair<double, double>, double>>;
 
@@ -233,8 +240,8 @@ std::vector<MapCell> cells_of(const std::map<std::pair<double, double>, double>&
 
 /// Throws InputError if a logarithmic axis would have places that are not positive.
 void require_positive(const MapValues& map, const AgainstFlags& flags) {
-  const bool log_x = flags.log == LogAxes::x || flags.log == LogAxes::xy;
-  const bool log_y = flags.log == LogAxes::y || flags.log == LogAxes::xy;
+  const bool log_x = x_scale(flags.log) == ScaleKind::logarithmic;
+  const bool log_y = y_scale(flags.log) == ScaleKind::logarithmic;
   for (const auto& [part, values] : map)
     for (const auto& [point, value] : values)
       if ((log_x && point.first <= 0) || (log_y && point.second <= 0))
@@ -258,8 +265,8 @@ Figure map_figure(const PlotInputs& inputs, const AgainstFlags& flags) {
   for (const auto& [part, values] : map) {
     Panel panel{.x_label = study_label(flags.x, inputs.units),
                 .y_label = study_label(flags.y_name, inputs.units)};
-    if (flags.log == LogAxes::x || flags.log == LogAxes::xy) panel.x_scale = ScaleKind::logarithmic;
-    if (flags.log == LogAxes::y || flags.log == LogAxes::xy) panel.y_scale = ScaleKind::logarithmic;
+    panel.x_scale = x_scale(flags.log);
+    panel.y_scale = y_scale(flags.log);
     panel.value_label = {part.empty() ? result.quantity : part, result.unit};
     panel.cells = cells_of(values, panel);
     figure.panels.push_back(std::move(panel));
@@ -272,8 +279,8 @@ Figure map_figure(const PlotInputs& inputs, const AgainstFlags& flags) {
 Figure against_figure(const PlotInputs& inputs, const AgainstFlags& flags) {
   Panel panel{.x_label = study_label(flags.x, inputs.units), .y_label = label_of(flags.y, inputs.units)};
   append_points_and_curves(run_points(inputs, flags), prediction_curves(inputs, flags), std::nullopt, panel);
-  if (flags.log == LogAxes::x || flags.log == LogAxes::xy) panel.x_scale = ScaleKind::logarithmic;
-  if (flags.log == LogAxes::y || flags.log == LogAxes::xy) panel.y_scale = ScaleKind::logarithmic;
+  panel.x_scale = x_scale(flags.log);
+  panel.y_scale = y_scale(flags.log);
   std::vector<Note> notes{reading_note(inputs),
                           {.text = "Bars and bands: uncertainties that runs and predictions state."}};
   if (has_omitted_values(panel)) notes.push_back({.text = "Lines break where values are not positive."});

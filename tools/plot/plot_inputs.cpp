@@ -9,6 +9,7 @@
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
+#include "beadswim/io/document_stream.hpp"
 #include "beadswim/scene/units.hpp"
 
 namespace beadswim {
@@ -109,9 +110,7 @@ MethodChoice resolve_methods(MethodChoice choice, const Names& known) {
 
 std::vector<SourceDocument> read_documents(const std::vector<std::string>& files) {
   if (files.empty()) throw InputError("FILES", "no file is given; name run records and predictions to draw");
-  if (std::count(files.begin(), files.end(), "-") > 1) {
-    throw InputError("-", "standard input can be read only once; name files for the other inputs");
-  }
+  require_one_standard_input(files);
   std::vector<SourceDocument> documents;
   int failures = 0;
   for (const std::string& path : files) {

@@ -115,13 +115,10 @@ std::string varied_text(const PlotInputs& inputs, const Json& study) {
   for (const PlottedRun& run : inputs.runs) add(run.record.study.value_or(Json::object()));
   for (const PlottedPrediction& plotted : inputs.predictions)
     if (plotted.study.is_object()) add(plotted.study);
-  std::string text;
+  Json varied = Json::object();
   for (const auto& [name, value] : study.items())
-    if (values[name].size() > 1)
-      text += fmt::format(
-          ", {} = {}", name,
-          value.is_string() ? value.get<std::string>() : fmt::format("{:.4g}", value.get<double>()));
-  return text;
+    if (values[name].size() > 1) varied[name] = value;
+  return varied.empty() ? "" : ", " + study_text(varied, 4);
 }
 
 std::string run_label(const PlotInputs& inputs, const PlottedRun& run) {

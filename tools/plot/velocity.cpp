@@ -6,6 +6,7 @@
 
 #include "abscissa.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/documents/study_result.hpp"
 #include "beadswim/figure/curves.hpp"
 #include "beadswim/scene/units.hpp"
 #include "flags.hpp"
@@ -72,19 +73,16 @@ std::vector<PointGroup> run_points(const PlotInputs& inputs, const std::vector<R
     for (const PlottedRun* run : group.runs) {
       for (const SwimmerRecord& swimmer : run->record.swimmers) {
         const double x = abscissa_of(*run, swimmer, abscissa, cycle);
-        const double velocity =
-            swimming_of(run->record, swimmer, cycle, run->source).at(ComparedQuantity::velocity).front();
-        const ComparedValues uncertainties = uncertainties_of(swimmer, cycle);
-        const auto stated = uncertainties.find(ComparedQuantity::velocity);
-        const double error = stated == uncertainties.end() ? 0 : stated->second.front() * std::abs(velocity);
+        const ResultValue velocity =
+            results_of(run->record, swimmer, StudyResult::velocity, cycle, run->source).front();
         points.x.push_back(x);
         if (is_relative(inputs)) {
           const Prediction& reference = reference_at(inputs, abscissa, x, run->source);
-          points.y.push_back(relative_difference(velocity, reference));
-          points.errors.push_back(100 * error / std::abs(reference.velocity));
+          points.y.push_back(relative_difference(velocity.value, reference));
+          points.errors.push_back(100 * velocity.error / std::abs(reference.velocity));
         } else {
-          points.y.push_back(velocity);
-          points.errors.push_back(error);
+          points.y.push_back(velocity.value);
+          points.errors.push_back(velocity.error);
         }
       }
     }
@@ -96,7 +94,7 @@ std::vector<PointGroup> run_points(const PlotInputs& inputs, const std::vector<R
 CurvePoint curve_point(const PlotInputs& inputs, Abscissa abscissa, const PlacedPrediction& placed) {
   const auto& [x, plotted] = placed;
   const Prediction& prediction = plotted.prediction;
-  const double error = prediction.uncertainty.value_or(0) * std::abs(prediction.velocity);
+  const double error = results_of(prediction, StudyResult::velocity).front().error;
   if (!is_relative(inputs))
     return {.x = x, .y = prediction.velocity, .usable = prediction.usable, .error = error};
   const Prediction& reference = reference_at(inputs, abscissa, x, plotted.source);

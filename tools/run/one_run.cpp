@@ -19,8 +19,9 @@
 namespace beadswim {
 namespace {
 
-/// Throws InputError if a checkpoint has no time steps left. A layout of a stream is then run from its start.
-void require_steps_left(const ModelPlan& plan, Request& request) {
+/// Throws InputError if the checkpoint is already at the end of the run. A layout of a stream begins again
+/// instead: the request then loses its checkpoint.
+void check_steps_left(const ModelPlan& plan, Request& request) {
   const double cycles = plan.options.settings.cycles;
   const long done = request.steps_done;
   if (done == 0 || done < plan.steps_in(cycles)) return;
@@ -118,7 +119,7 @@ RunOutcome run_layout(const LayoutDocument& document, Request& request, double s
   const std::unique_ptr<ModelPlan> planned = plan_for(document, request, communicator);
   const ModelPlan& plan = *planned;
   const RunOptions& options = plan.options;
-  require_steps_left(plan, request);
+  check_steps_left(plan, request);
   const long done = request.steps_done;
   Progress progress(options.progress, done, plan.steps_in(options.settings.cycles),
                     static_cast<double>(plan.steps_per_cycle), plan.updates_per_step);

@@ -127,7 +127,7 @@ void predict_stream(DocumentStream& layouts, const TheoryRequest& request,
                                   .member = member.number,
                                   .reason = reason,
                                   .study = layout_of(member).study};
-    return MemberResult{dump_json_line(failure_to_json(failure)), failed};
+    return MemberResult{failure_line(failure), failed};
   };
   const auto work = [&](const StreamMember& member) {
     try {
@@ -160,11 +160,7 @@ void predict_stream(DocumentStream& layouts, const TheoryRequest& request,
         fmt::format("beadswim-theory: methods were left out for {} of {} layouts: see the key "
                     "\"left_out\" of each prediction\n",
                     layouts_with[incomplete], count));
-  if (layouts_with[failed] > 0)
-    throw SolverError(
-        fmt::format("{} of {} layouts have no prediction: see the key \"reason\" of documents "
-                    "with \"status\": \"failed\"",
-                    layouts_with[failed], count));
+  require_no_failures(layouts_with[failed], count, "layouts have no prediction");
 }
 
 int run(int argc, char** argv) {

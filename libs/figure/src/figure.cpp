@@ -307,9 +307,9 @@ std::string draw_map(const PlotArea& area, const std::vector<MapCell>& cells) {
   return elements;
 }
 
-constexpr double bar_width = 16;  // of the bar of colours [px]
+constexpr double bar_width = 16;  // width of the colour bar [px]
 
-/// Draws the bar of colours of a map at its right, with ticks and the name of the value.
+/// Draws the colour bar of a map at its right, with ticks and the name of the value.
 std::string draw_colour_bar(const PlotArea& area, const Panel& panel) {
   constexpr int steps = 64;
   constexpr double top_room = 26;
@@ -359,7 +359,7 @@ double page_width(const Figure& figure) {
       right = std::max(right, legend_left + legend_key_width + 8 + svg::text_width(series.label, tick_size));
     }
     if (panel.cells.empty()) continue;
-    constexpr int likely_exponent = -5;  // of the bar's ticks, for the width of its label
+    constexpr int likely_exponent = -5;  // exponent of the ticks, for the width of the label
     right = std::max(
         right, legend_left + svg::text_width(label_text(panel.value_label, likely_exponent), label_size));
   }

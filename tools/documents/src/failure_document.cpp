@@ -1,5 +1,9 @@
 #include "beadswim/documents/failure_document.hpp"
 
+#include <fmt/core.h>
+
+#include "beadswim/core/error.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -15,6 +19,16 @@ Json failure_to_json(const FailureDocument& failure) {
             {"reason", failure.reason}};
   if (!failure.study.is_null()) json["study"] = failure.study;
   return json;
+}
+
+std::string failure_line(const FailureDocument& failure) {
+  return dump_json_line(failure_to_json(failure));
+}
+
+void require_no_failures(int failed, int count, const std::string& lack) {
+  if (failed > 0)
+    throw SolverError(fmt::format(
+        "{} of {} {}: see the key \"reason\" of documents with \"status\": \"failed\"", failed, count, lack));
 }
 
 bool is_failure(const Json& document) {

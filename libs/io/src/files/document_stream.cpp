@@ -67,9 +67,13 @@ OpenFile open_rereadable(const std::string& path, const std::string& source) {
 
 }  // namespace
 
-DocumentStream::DocumentStream(const std::vector<std::string>& paths) {
+void require_one_standard_input(const std::vector<std::string>& paths) {
   if (std::count(paths.begin(), paths.end(), "-") > 1)
     throw InputError("-", "standard input can be read only once; name files for the other inputs");
+}
+
+DocumentStream::DocumentStream(const std::vector<std::string>& paths) {
+  require_one_standard_input(paths);
   for (const std::string& path : paths) {
     File& file = files_.emplace_back(File{.source = path == "-" ? "standard input" : path});
     file.stream = open_rereadable(path, file.source);

@@ -1,6 +1,7 @@
 // Plots of quantities against time in base periods, beside the 3D view. A vertical line marks the time of the frame in the view.
 
 import uPlot from "uplot";
+import { cssVariable } from "./colours";
 import { tickLabels } from "./ticks";
 
 export interface Curve {
@@ -15,8 +16,6 @@ export interface Plot {
   times: number[];
   curves: Curve[];
 }
-
-const cssVariable = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 const formatNumber = (value: number | null) => (value == null ? "–" : String(Number(value.toPrecision(4))));
 

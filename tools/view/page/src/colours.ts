@@ -107,3 +107,6 @@ export function colouring(scene: Scene, name: ColouringName): Colouring {
     case "phase": return byPhase(scene);
   }
 }
+
+/** Returns the value of a variable of style.css, such as --paper. */
+export const cssVariable = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();

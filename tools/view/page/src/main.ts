@@ -214,7 +214,7 @@ class Player {
   }
 
   private async savePicture(): Promise<void> {
-    const picture = await this.stage.picture(getComputedStyle(document.body).backgroundColor);
+    const picture = await this.stage.picture();
     if (picture) download(this.fileName(`-frame-${Math.round(this.framePosition)}.png`), picture);
   }
 

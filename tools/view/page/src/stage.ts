@@ -2,7 +2,7 @@
 
 import * as three from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import type { Colour } from "./colours";
+import { cssVariable, type Colour } from "./colours";
 import type { Point } from "./motion";
 import { PageFault, type Scene } from "./scene";
 import { beadFragment, beadVertex, springFragment, springVertex } from "./shaders";
@@ -53,6 +53,7 @@ export class Stage {
   constructor(private readonly canvas: HTMLCanvasElement, private readonly scene: Scene, triad: HTMLCanvasElement) {
     this.renderer = renderer(canvas);
     this.triad = triad.getContext("2d")!;
+    triad.style.width = triad.style.height = `${triadSize}px`;
     this.positions = new Float32Array(scene.start);
     this.swimmerOf = Float32Array.from(scene.shapes.flatMap((shape, s) => Array<number>(shape.beads).fill(s)));
     this.bonds = Uint32Array.from(scene.shapes.flatMap((shape, s) => shape.bonds.flat().map((bead) => scene.firstBead[s] + bead)));
@@ -156,8 +157,9 @@ export class Stage {
     });
   }
 
-  /** Returns the view as a picture (PNG), with the triad of axes, on a background of the colour `paper`. */
-  picture(paper: string): Promise<Blob | null> {
+  /** Returns the view as a picture (PNG), with the triad of axes, on the background of the page. */
+  picture(): Promise<Blob | null> {
+    const paper = cssVariable("--paper");
     this.render(); // the browser keeps the drawing only until the next frame
     const { width, height } = this.canvas, zoom = this.renderer.getPixelRatio();
     const copy = Object.assign(document.createElement("canvas"), { width, height }), context = copy.getContext("2d")!;
@@ -176,7 +178,7 @@ export class Stage {
     const { canvas } = this.triad, zoom = this.renderer.getPixelRatio();
     canvas.width = canvas.height = triadSize * zoom; // clears it
     this.triad.scale(zoom, zoom);
-    drawTriad(this.triad, this.axisDirections(), triadSize / 2, triadSize / 2, getComputedStyle(document.body).backgroundColor);
+    drawTriad(this.triad, this.axisDirections(), triadSize / 2, triadSize / 2, cssVariable("--paper"));
   }
 
   /** Returns the directions of x, y and z in the frame of the camera: right, up, to the eye. */

@@ -49,7 +49,7 @@ struct Panel {
   AxisLabel x_label, y_label;
   std::vector<Series> series{};
   std::vector<MapCell> cells{};  ///< a map; its colours, from dark to light, are explained by a bar
-  AxisLabel value_label{};       ///< of the values of the map
+  AxisLabel value_label{};       ///< label of the values of the map
   TickKind x_ticks = TickKind::any;
   ScaleKind x_scale = ScaleKind::linear, y_scale = ScaleKind::linear;
 };

@@ -56,7 +56,7 @@ struct SwarmPicture {
   std::vector<PictureMark> marks{};
   std::vector<PictureDistance> distances{};
   std::vector<Note> notes{};
-  std::string length_unit{};  ///< of the scale bar along the lower front edge of the box
+  std::string length_unit{};  ///< unit of the scale bar along the lower front edge of the box
 };
 
 /// Returns a complete SVG document, about 70 bytes per bead. Beads are shaded discs and bonds are lines. Near

@@ -18,6 +18,9 @@ struct StreamMember {
   int number = 1;      ///< position in the stream, from 1
 };
 
+/// Throws InputError if standard input, "-", is named more than once.
+void require_one_standard_input(const std::vector<std::string>& paths);
+
 /// Reads the documents of files one by one, so that memory does not grow with their number. A file contains
 /// JSON Lines if its first line is a complete document, or if its second line is a complete object. Empty
 /// lines are skipped.

@@ -17,6 +17,13 @@ struct FailureDocument {
 /// Returns the document as JSON.
 Json failure_to_json(const FailureDocument& failure);
 
+/// Returns the document as a line of JSON.
+std::string failure_line(const FailureDocument& failure);
+
+/// Throws SolverError if `failed` of the `count` parts of a stream ended with failures. `lack`: the parts and
+/// what they lack, such as "layouts have no prediction".
+void require_no_failures(int failed, int count, const std::string& lack);
+
 /// Returns true if a JSON document is a failure, by its schema name.
 bool is_failure(const Json& document);
 

@@ -8,7 +8,7 @@
 #include "quantity.hpp"
 #include "search.hpp"
 
-// What is searched: free values with their bounds, the outcome that is to be large or small, and limits.
+// Optimisation problem: free values with their bounds, the objective, and constraints.
 
 namespace beadswim {
 
@@ -17,7 +17,7 @@ constexpr const char* free_flag = "--free";
 /// A value of the layout that the search may change, of one or several quantities. Positive bounds that
 /// differ by a factor of ten or more are searched on a logarithmic scale.
 struct FreeValue {
-  std::vector<std::string> names;  ///< of quantity_name()
+  std::vector<std::string> names;  ///< as quantity_name() returns them
   double from = 0, to = 0;
 
   bool is_logarithmic() const;
@@ -33,24 +33,24 @@ std::vector<FreeValue> parse_free_values(const std::vector<std::string>& texts);
 StudyPoint study_point(const std::vector<FreeValue>& free, const Position& position);
 
 /// Range that an outcome must not leave.
-struct Limit {
+struct Constraint {
   Outcome outcome{};
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 };
 
 /// Parses NAME=:MAX, NAME=MIN: or NAME=MIN:MAX. Throws InputError, also if a name occurs twice.
-std::vector<Limit> parse_limits(const std::vector<std::string>& texts);
+std::vector<Constraint> parse_constraints(const std::vector<std::string>& texts);
 
-/// The outcome that is to be large or small, and the limits of others.
-struct Aims {
+/// Objective, which is to be large or small, and constraints.
+struct Problem {
   Outcome objective{};
   bool is_maximised = true;
-  std::vector<Limit> limits;
+  std::vector<Constraint> constraints;
 
-  /// Number of sides of all limits.
-  int constraints() const;
+  /// Returns the number of inequalities: one per finite end of the range of a constraint.
+  int num_inequalities() const;
   /// Returns the trial of outcomes, which must contain the objective and all limited ones. `typical`:
-  /// outcomes whose sizes are the units of excesses over a limit of 0.
+  /// outcomes whose sizes are the units of violations of a bound of 0.
   Trial trial_of(const Outcomes& outcomes, const Outcomes& typical) const;
   /// Throws InputError if the outcomes lack the objective or a limited one. `evaluator`: name of the method
   /// or model.

@@ -1,4 +1,4 @@
-#include "aims.hpp"
+#include "problem.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,7 +13,7 @@
 namespace beadswim {
 namespace {
 
-constexpr const char* limit_flag = "--subject-to";
+constexpr const char* constraint_flag = "--subject-to";
 
 /// Name and two ends of NAME=LOW:HIGH, as text.
 struct NamedRange {
@@ -38,32 +38,35 @@ void require_order(double low, double high, const std::string& text, const std::
   throw InputError(flag, fmt::format("\"{}\": the first number must be smaller than the second", text));
 }
 
-/// Appends how far the value exceeds the sides of a limit, relative to the limit, or to `typical` if the
-/// limit is 0.
-void append_excess(const Limit& limit, double value, double typical, std::vector<double>& excess) {
+/// Appends the violation of each side of a constraint: distance of the value beyond the bound, relative to
+/// the bound, or to `typical` if the bound is 0. Negative within the range.
+void append_violations(const Constraint& constraint, double value, double typical,
+                       std::vector<double>& violations) {
   const auto unit = [typical](double bound) {
     return bound != 0 ? std::abs(bound) : typical != 0 ? std::abs(typical) : 1;
   };
-  if (std::isfinite(limit.low)) excess.push_back((limit.low - value) / unit(limit.low));
-  if (std::isfinite(limit.high)) excess.push_back((value - limit.high) / unit(limit.high));
+  if (std::isfinite(constraint.low)) violations.push_back((constraint.low - value) / unit(constraint.low));
+  if (std::isfinite(constraint.high)) violations.push_back((value - constraint.high) / unit(constraint.high));
 }
 
-Limit parse_limit(const std::string& text) {
+Constraint parse_constraint(const std::string& text) {
   const NamedRange range =
-      named_range(text, limit_flag, "NAME=:MAX, NAME=MIN: or NAME=MIN:MAX, such as power=:0.001");
+      named_range(text, constraint_flag, "NAME=:MAX, NAME=MIN: or NAME=MIN:MAX, such as power=:0.001");
   const auto outcome = value_named<Outcome>(range.name);
   if (!outcome)
-    throw InputError(limit_flag,
+    throw InputError(constraint_flag,
                      fmt::format("\"{}\": {}", text, format_unknown_name(range.name, all_names<Outcome>())));
-  Limit limit{.outcome = *outcome};
+  Constraint constraint{.outcome = *outcome};
   if (range.low.empty() && range.high.empty())
-    throw InputError(limit_flag, fmt::format("\"{}\": a number is missing before or after the colon", text));
+    throw InputError(constraint_flag,
+                     fmt::format("\"{}\": a number is missing before or after the colon", text));
   for (const std::string& end : {range.low, range.high})
-    if (end.ends_with("deg")) throw InputError(limit_flag, fmt::format("\"{}\": this is no angle", text));
-  if (!range.low.empty()) limit.low = number(range.low, text, limit_flag);
-  if (!range.high.empty()) limit.high = number(range.high, text, limit_flag);
-  require_order(limit.low, limit.high, text, limit_flag);
-  return limit;
+    if (end.ends_with("deg"))
+      throw InputError(constraint_flag, fmt::format("\"{}\": this is no angle", text));
+  if (!range.low.empty()) constraint.low = number(range.low, text, constraint_flag);
+  if (!range.high.empty()) constraint.high = number(range.high, text, constraint_flag);
+  require_order(constraint.low, constraint.high, text, constraint_flag);
+  return constraint;
 }
 
 }  // namespace
@@ -105,35 +108,37 @@ StudyPoint study_point(const std::vector<FreeValue>& free, const Position& posit
   return point;
 }
 
-std::vector<Limit> parse_limits(const std::vector<std::string>& texts) {
-  std::vector<Limit> limits;
+std::vector<Constraint> parse_constraints(const std::vector<std::string>& texts) {
+  std::vector<Constraint> constraints;
   for (const std::string& text : texts) {
-    const Limit limit = parse_limit(text);
-    for (const Limit& other : limits)
-      if (other.outcome == limit.outcome)
-        throw InputError(limit_flag, fmt::format("\"{0}\" is named twice; write {0}=MIN:MAX once",
-                                                 to_text(limit.outcome)));
-    limits.push_back(limit);
+    const Constraint constraint = parse_constraint(text);
+    for (const Constraint& other : constraints)
+      if (other.outcome == constraint.outcome)
+        throw InputError(constraint_flag, fmt::format("\"{0}\" is named twice; write {0}=MIN:MAX once",
+                                                      to_text(constraint.outcome)));
+    constraints.push_back(constraint);
   }
-  return limits;
+  return constraints;
 }
 
-int Aims::constraints() const {
+int Problem::num_inequalities() const {
   int sides = 0;
-  for (const Limit& limit : limits) sides += std::isfinite(limit.low) + std::isfinite(limit.high);
+  for (const Constraint& constraint : constraints)
+    sides += std::isfinite(constraint.low) + std::isfinite(constraint.high);
   return sides;
 }
 
-Trial Aims::trial_of(const Outcomes& outcomes, const Outcomes& typical) const {
+Trial Problem::trial_of(const Outcomes& outcomes, const Outcomes& typical) const {
   Trial trial;
   const double value = outcomes.at(objective).value;
   trial.value = is_maximised ? -value : value;
-  for (const Limit& limit : limits)
-    append_excess(limit, outcomes.at(limit.outcome).value, typical.at(limit.outcome).value, trial.excess);
+  for (const Constraint& constraint : constraints)
+    append_violations(constraint, outcomes.at(constraint.outcome).value, typical.at(constraint.outcome).value,
+                      trial.violations);
   return trial;
 }
 
-void Aims::require_outcomes(const Outcomes& outcomes, const std::string& evaluator) const {
+void Problem::require_outcomes(const Outcomes& outcomes, const std::string& evaluator) const {
   std::vector<std::string> given;
   for (const auto& [outcome, value] : outcomes) given.emplace_back(to_text(outcome));
   const auto require = [&](Outcome outcome, const char* flag) {
@@ -142,7 +147,7 @@ void Aims::require_outcomes(const Outcomes& outcomes, const std::string& evaluat
                                        to_text(outcome), fmt::join(given, ", ")));
   };
   require(objective, flag());
-  for (const Limit& limit : limits) require(limit.outcome, limit_flag);
+  for (const Constraint& constraint : constraints) require(constraint.outcome, constraint_flag);
 }
 
 }  // namespace beadswim
