@@ -38,14 +38,15 @@ TEST(Search, FindsBraninsMinimum) {
 }
 
 TEST(Search, ReachesTheLimitOfAConstraint) {
-  // The product x y under x^2 + y^2 <= 1/2 is greatest at x = y = 1/2.
+  // The product x y under x^2 + y^2 <= c is greatest at x = y = sqrt(c/2), here beside the first positions.
+  constexpr double c = 0.6;
   const auto product = [](const Position& u) {
-    return Trial{.value = -u[0] * u[1], .violations = {(u[0] * u[0] + u[1] * u[1] - 0.5) / 0.5}};
+    return Trial{.value = -u[0] * u[1], .violations = {(u[0] * u[0] + u[1] * u[1] - c) / c}};
   };
   const SearchResult found = search(2, product, {.num_inequalities = 1, .evaluations = 200});
   EXPECT_TRUE(found.trial.is_feasible());
-  EXPECT_NEAR(*found.trial.value, -0.25, 1e-5);
-  EXPECT_NEAR(found.best[0], 0.5, 2e-3);
+  EXPECT_NEAR(*found.trial.value, -c / 2, 1e-5);
+  EXPECT_NEAR(found.best[0], std::sqrt(c / 2), 2e-3);
   EXPECT_LE(found.trial.max_violation(), 0);
 }
 
@@ -78,6 +79,17 @@ TEST(Search, FindsTheLowestMinimumOfFiveNumbersWithTheSamePathForTheSameSeed) {
   EXPECT_NEAR(*found.trial.value, 0, 1e-6);
   search(5, along(again), {.evaluations = 4000, .seed = 7});
   EXPECT_EQ(path, again);
+}
+
+TEST(Search, PassesOnTheExceptionsOfTheFunction) {
+  struct Stop {};
+  int calls = 0;
+  const auto stopping = [&](const Position& u) {
+    if (++calls == 7) throw Stop();
+    return free_trial(u[0]);
+  };
+  EXPECT_THROW(search(1, stopping, {.evaluations = 60}), Stop);
+  EXPECT_EQ(calls, 7);
 }
 
 TEST(Search, SaysIfNoPositionIsFeasible) {
