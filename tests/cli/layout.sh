@@ -48,6 +48,9 @@ refuses '--box: the flag cannot be combined with --unbounded; remove one of the 
 refuses '--boundary: unknown value "perodic"; did you mean "periodic"' beadswim-layout swimmer --preset paper-single --boundary perodic
 refuses '--frame: unknown value "labb"; did you mean "lab"' beadswim-layout swimmer --preset paper-single --frame labb
 refuses '--units: unknown value "pgg"; did you mean "pg"' beadswim-layout swimmer --preset paper-single --units um,s,pgg
+refuses '--units: the preset is in lattice units, .* give one --radius, --viscosity and --density in the units um, s and mg' \
+  beadswim-layout swimmer --preset paper-single --units um,s,mg --radius 1 --viscosity 1e6
+refuses '--units: .* give one --radius' beadswim-layout swimmer --preset paper-single --units um,s,mg --radius 1,1,2 --viscosity 1e6 --density 1e-9
 refuses 'bead 1 .* not completely between the walls along x' beadswim-layout swimmer --preset paper-single --box 20,20,20
 refuses 'overlaps .* through the periodic boundary' \
   beadswim-layout swimmer --preset paper-single --box 20,20,20 --boundary periodic
@@ -73,6 +76,33 @@ out_has '"units": \{ "length": "um", "time": "ms", "mass": "pg" \}'
 out_has '"axis": \[0.0, 0.0, -1.0\]'
 out_has '"radius": 4.0, "density": 2.0'
 out_has '"phase": 1.5707963267948966'
+
+# --- a preset in other units: the same scene. A bead of 1 um in water has cells of 0.25 um, steps of 0.25^2/3 us and
+# masses of 0.25^3 pg.
+water=(--units um,us,pg --radius 1 --viscosity 1 --density 1)
+accepts beadswim-layout swimmer --preset paper-single "${water[@]}"
+cp out um.json
+accepts beadswim-layout swimmer --preset paper-single
+check 'all numbers of the layout are converted' holds --slurpfile um um.json '
+  def is(a; b): (a - b) / b | fabs < 1e-12;
+  0.25 as $cell | ($cell * $cell / 3) as $step | ($cell * $cell * $cell) as $mass | ($mass * $cell / ($step * $step)) as $force |
+  .types.a as $a | $um[0].types.a as $b |
+  is($b.beads[0].radius; 1) and is($b.beads[2].density; 1) and
+  is($b.springs[0].rest_length; $cell * $a.springs[0].rest_length) and
+  is($b.springs[1].stiffness; $a.springs[1].stiffness * $force / $cell) and
+  is($b.angular_stiffness; $a.angular_stiffness * $force * $cell) and
+  is($b.driving.amplitude[1]; $a.driving.amplitude[1] * $force) and is($b.driving.period; $a.driving.period * $step) and
+  is($um[0].domain.lengths[0]; 300) and is($um[0].swimmers[0].position[1]; $cell * .swimmers[0].position[1]) and
+  $um[0].resolution == .resolution and $um[0].fluid == {density: 1, kinematic_viscosity: 1}' out
+dimensionless='[.types.a | .reynolds_bead, .radius_over_penetration_depth, .arm_over_radius[0], .drag_over_spring[0], .mach, .steps_per_period]'
+for preset in swimmer/paper-single swarm/paper-uniform swarm/paper-defect; do
+  beadswim-layout "${preset%/*}" --preset "${preset#*/}" | beadswim-layout check --json | jq "$dimensionless | map(1e9 * . | round)" >lattice.numbers
+  beadswim-layout "${preset%/*}" --preset "${preset#*/}" "${water[@]}" >water.json
+  check "$preset: the same dimensionless numbers" cmp lattice.numbers <(beadswim-layout check --json water.json | jq "$dimensionless | map(1e9 * . | round)")
+done
+check 'the box of a swarm is converted, too' holds '.domain.lengths == [20, 20, 20]' water.json
+accepts beadswim-layout swimmer --preset paper-single "${water[@]}" --period 100 --box 50,20,20 --boundary periodic
+check 'other flags are in the new units' holds '.types.a.driving.period == 100 and .domain.lengths == [50, 20, 20]' out
 
 # --- phases in degrees; a phase of more than one turn is probably one
 accepts beadswim-layout swimmer --preset paper-single --phase=-90deg

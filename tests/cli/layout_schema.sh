@@ -17,7 +17,7 @@ valid() { # NAME FILE   by the schema of that name
 }
 
 beadswim-layout swimmer --preset paper-single >bounded.json
-beadswim-layout swimmer --preset paper-single --unbounded --units um,s,pg >unbounded.json
+beadswim-layout swimmer --preset paper-single --unbounded --units um,s,pg --radius 1 --viscosity 1e6 --density 1 >unbounded.json
 beadswim-layout check bounded.json --json >bounded-check.json
 beadswim-layout check unbounded.json --json >unbounded-check.json
 valid layout bounded.json

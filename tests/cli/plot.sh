@@ -26,8 +26,8 @@ has_flags against --data --x --y --colour --group-by --log --method --cycle
 has_flags separation --data --method --cycle --relative-to --axes
 has_flags speed-against-error --data --method --cycle --reference
 has_flags trajectories --data --swimmers --beads --along --against
-has_flags swarm --frame --colours --block-swimmers --repeat --mark --distances
-has_flags swimmer --swimmers
+has_flags swarm --data --frame --colours --block-swimmers --repeat --mark --distances
+has_flags swimmer --data --swimmers
 has_flags mobility-products --data
 accepts beadswim-plot --help-all
 for flag in --against --relative-to --reference --beads --mark --swimmers; do out_has "^ +$flag "; done
@@ -208,6 +208,13 @@ check 'a refused figure left a file behind' test ! -e other.png
 refuses '/no/such/folder/x.svg: the file cannot be created' beadswim-plot stroke run.json -o /no/such/folder/x.svg
 refuses '--output: the file name "x.gif" does not end in .svg, .png or .pdf' beadswim-plot stroke run.json -o x.gif
 accepts beadswim-plot stroke run.json -o x.pdf --data x.csv
+beadswim-layout swimmer --preset paper-single --radius 4,5,6 --arm 20,24 --box 100,50,50 --boundary periodic >drawn.json
+accepts beadswim-plot swarm drawn.json --repeat 1,2,1 -o drawn.svg --data drawn.csv
+check 'the beads of a picture and of its copies' cmp drawn.csv <(echo swimmer,bead,x,y,z,radius,unit
+  for y in 0 50; do jq -r --argjson copy $y '.swimmers[0].position as $p |
+    [[1, -20, 4], [2, 0, 5], [3, 24, 6]][] | "0,\(.[0]),\($p[0] + .[1]),\($p[1] + $copy),\($p[2]),\(.[2]),\"lattice units\""' drawn.json; done)
+accepts beadswim-plot swimmer drawn.json -o drawn.svg --data drawn.csv
+check 'the beads of a sketch' cmp drawn.csv <(printf '%s\n' bead,x,radius,unit '1,0,4,"lattice units"' '2,20,5,"lattice units"' '3,44,6,"lattice units"')
 check 'a PDF file' test "$(head -c 5 x.pdf)" = %PDF-
 check 'the numbers drawn' grep -qE '^"arm amplitude[^"]*","[^"]*","cycle[^"]*","","[^"]+",1,[0-9.]+,$' x.csv
 refuses '--data: the file name "x.svg" does not end in .csv' beadswim-plot stroke run.json -o x.svg --data x.svg

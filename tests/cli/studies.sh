@@ -238,6 +238,8 @@ run beadswim-run some.jsonl "${ended[@]}"
 has_status 0
 check 'the same records' cmp out ended.jsonl
 
+refuses '--restart: is for a single layout' beadswim-run some.jsonl --restart ended-1.h5md -o ended-{}.h5md
+
 # A time limit stops the stream; the same command goes on.
 run beadswim-run campaign.jsonl "${campaign[@]}" --time-limit 0.5 -o limited-{}.h5md
 has_status 4
@@ -252,10 +254,51 @@ has_status 3
 err_has '3 of 4 layouts have no result'
 mv out mixed-runs.jsonl
 check 'failures' holds -s 'map(.status) == ["finished", "failed", "failed", "failed"] and .[1].member == 2 and (.[1].reason | test("lattice needs a box"))' mixed-runs.jsonl
+
+# Plans of a stream: one per layout, in order, on any number of ranks; their sum.
+plan=(--plan --model lbm --cells-per-radius 2 --cycles 1 --no-provenance --tolerance 20)
+run beadswim-run mixed.jsonl "${plan[@]}"
+has_status 3
+err_has '3 of 4 layouts have no run within the tolerance'
+check 'a plan, and failures or plans without a choice' holds -s 'length == 4 and .[0].schema == "beadswim/plan/1" and (.[0].choice | test("--model lbm")) and
+  (.[1:] | all(.choice == null))' out
+run beadswim-run some.jsonl --plan --model rpy --tolerance 20 --cycles 2
+has_status 0
+cp out plans.jsonl
+check 'the studies' test "$(jq -c .study out)" = "$(jq -c .study some.jsonl)"
+check 'the sum of the costs' awk -v sum="$(jq -s 'map(.runs[0].cost.core_seconds) | add' out)" \
+  '/^all: 3 of 3 layouts/ { found = 1; if (($12 - sum) ^ 2 > 1e-4 * sum ^ 2) exit 1 } END { exit !found }' err
+head -1 out >plan.json
+check 'plans by their schema' /usr/bin/python3 -W ignore -m jsonschema -i plan.json "$BEADSWIM_SOURCE/schemas/plan.schema.json"
+run mpirun -n 2 beadswim-run some.jsonl --plan --model rpy --tolerance 20 --cycles 2
+has_status 0
+check 'the same on two ranks' test "$(jq -c '[.study, .choice, .runs[0].error]' out)" = "$(jq -c '[.study, .choice, .runs[0].error]' plans.jsonl)"
+
+# A large lattice runs on all ranks, after the others, and its record has its place.
+on_lattice() { # BOX
+  beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box "$1" --boundary periodic --period 100 --amplitude 0.02 --jsonl
+}
+for box in 48,32,32 32,16,16 32,16,16 32,16,16; do on_lattice $box; done >sizes.jsonl
+lattice=(--model lbm --cells-per-radius 2 --cycles 0.2 --no-provenance)
+run mpirun -n 2 beadswim-run sizes.jsonl "${lattice[@]}" -o sizes-{}.h5md
+has_status 0
+err_has '4 layouts: 3, 2 at a time, 1 ranks for each; then 1 on large lattices, one after the other on all 2 ranks'
+cp out sizes.out
+run beadswim-run sizes.jsonl "${lattice[@]}" -o single-size-{}.h5md
+has_status 0
+err_has '4 layouts, 1 at a time, 1 ranks for each'
+check 'the same records' cmp <(jq -S 'del(.request_sha256)' out) <(jq -S 'del(.request_sha256)' sizes.out)
+run mpirun -n 2 beadswim-run sizes.jsonl "${lattice[@]}" --ranks-per-run 1 -o grouped-size-{}.h5md
+err_has '4 layouts, 2 at a time, 1 ranks for each'
+
+# More files than a process may hold open.
+for n in $(seq 60); do sed -n 1p study.jsonl >"many-$n.json"; done
+run bash -c 'ulimit -n 40; beadswim-theory many-*.json --method rpy-perturbation --jobs 1 | wc -l'
+check 'all of 60 files with 40 open files at most' test "$(cat out)" = 60
+
 run beadswim-plot stroke mixed-runs.jsonl -o failures.svg
 err_has '3 documents are failures without results'
 refuses 'each of the 8 layouts needs a trajectory of its own; write \{\} once' beadswim-run study.jsonl "${runs[@]}" -o run.h5md
-refuses 'is for a single layout' beadswim-run study.jsonl --plan -o run-{}.h5md
 refuses '--cells-per-radius: the flag applies to the lattice only' beadswim-run study.jsonl "${runs[@]}" --cells-per-radius 3 -o run-{}.h5md
 refuses '--ranks-per-run: 2 is more than the 1 ranks' beadswim-run study.jsonl "${runs[@]}" --ranks-per-run 2 -o run-{}.h5md
 refuses 'invalid.jsonl line 4: the object lacks the key "fluid"' beadswim-run invalid.jsonl "${runs[@]}" -o invalid-{}.h5md

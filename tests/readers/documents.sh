@@ -9,7 +9,7 @@ cd documents
 # Layouts: presets, units, frames, boxes, every defect, a reduced cell.
 swimmer() { beadswim-layout swimmer --preset paper-single "$@"; }
 swimmer >layout/single.json
-swimmer --unbounded --units um,s,pg >layout/units.json
+swimmer --unbounded --units um,s,pg --radius 1 --viscosity 1e6 --density 1 >layout/units.json
 swimmer --unbounded | jq 'del(.resolution) |
   .units = {length: {name: "cell", si_factor: 2.5e-7}, time: "us", mass: "pg"}' >layout/own-units.json
 beadswim-layout swimmer --radius 4,5,4 --arm 20,24 --stiffness 0.03,0.04 --damping 0,0.1 --angular-stiffness 0 \

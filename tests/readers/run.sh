@@ -49,7 +49,7 @@ by_ajv() {
 for step in scenes documents faults; do
   report "what is read, $step.sh" timeout 600 "$here/$step.sh"
 done
-for scene in lattice walls swarm periods open early restarted; do
+for scene in lattice walls swarm periods open units early restarted; do
   report "h5py, $scene" by_h5py $scene
   report "MDAnalysis, $scene" by_mdanalysis $scene
   report "ParaView, beads of $scene" by_paraview pvbatch_beads.py $scene.h5md

@@ -38,6 +38,11 @@ run periods --model rpy --cycles 3
 beadswim-layout swimmer --preset paper-single --unbounded --amplitude 0.2 >open.layout.json
 run open --model rpy --cycles 2
 
+# The same with units that MDAnalysis converts.
+beadswim-layout swimmer --preset paper-single --units nm,ns,fg --radius 1000 --viscosity 1e3 --density 1e-6 --box 30000,10000,10000 \
+  --boundary periodic --position 4000,5000,5000 >units.layout.json
+run units --model rpy --cycles 2
+
 # A run that its time limit stops at once, and the same gone on with to its end.
 beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary periodic --period 2000 --amplitude 0.2 \
   --position 5,20,20 | tee early.layout.json >restarted.layout.json

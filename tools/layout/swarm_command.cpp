@@ -58,6 +58,11 @@ SwarmPlan SwarmCommand::plan() const {
   SwarmPlan plan;
   if (flags_.preset() == "paper-uniform") plan = paper_uniform_plan();
   if (flags_.preset() == "paper-defect") plan = paper_defect_plan();
+  if (!flags_.preset().empty()) {
+    const double unit = flags_.preset_units().length;
+    plan.core_gap *= unit;
+    plan.block_gap *= unit;
+  }
   if (!block_swimmers_.empty()) plan.block_swimmers = index_of(block_swimmers_);
   if (!blocks_.empty()) plan.blocks = index_of(blocks_);
   if (!core_gap_.empty()) plan.core_gap = parse_vector(core_gap_);

@@ -91,7 +91,7 @@ void FluidFlags::add_to(CLI::App& command, const std::string& default_viscosity)
   command
       .add_option("--units", units_,
                   "Units of the layout: lattice, or units of length (m to nm), time (s to ns) and mass (kg "
-                  "to fg), for example um,s,pg")
+                  "to fg), such as um,s,pg; a preset is converted to them")
       ->type_name("lattice|LENGTH,TIME,MASS")
       ->default_str("lattice");
 }

@@ -27,11 +27,17 @@ class FluidFlags {
   void add_to(CLI::App& command, const std::string& default_viscosity = "");
 
   const std::string& viscosity() const { return viscosity_; }  ///< empty if the flag is not given
+  const std::string& density() const { return density_; }      ///< empty if the flag is not given
   void apply(Fluid& fluid) const;
   Units units() const;
 
  private:
   std::string viscosity_, density_, units_;
+};
+
+/// Sizes of the units of length, time and mass of a preset, in the units of the flag --units.
+struct UnitSizes {
+  double length = 1, time = 1, mass = 1;
 };
 
 /// Flags that describe a swimmer type and its fluid. The value of each flag is stored as text, which is empty
@@ -42,8 +48,8 @@ class SwimmerFlags {
   SwimmerFlags(CLI::App& command, std::vector<Preset> presets, const std::string& preset_help);
 
   /// Returns the layout that the flags describe. It has one type, "a". Flags that are not given have the
-  /// values of the preset. Without a preset, throws InputError if required flags are missing; the message
-  /// lists these flags and `other_missing_flags`.
+  /// values of the preset, converted to the units of the flag --units. Without a preset, throws InputError if
+  /// required flags are missing; the message lists these flags and `other_missing_flags`.
   Layout layout(const std::vector<std::string>& other_missing_flags) const;
 
   /// Returns the names of the flags that set one value, without --.
@@ -54,6 +60,9 @@ class SwimmerFlags {
   void apply(Layout& layout, const std::string& source) const;
 
   const std::string& preset() const { return preset_; }  ///< name of the preset; empty if none is given
+  /// Returns the sizes of the units of the preset. They follow from the bead radius, the viscosity and the
+  /// density of the flags. Throws InputError if one of these lacks.
+  UnitSizes preset_units() const;
 
  private:
   void add_swimmer(CLI::App& command);

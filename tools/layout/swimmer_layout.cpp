@@ -30,6 +30,30 @@ Units::Unit unit_named(Quantity quantity, const std::string& name) {
   throw InputError("--units", format_unknown_name(name, names));
 }
 
+/// Converts the lengths, times and masses of a preset with one type, "a", to units in which its own have
+/// these sizes.
+void convert(Layout& layout, const UnitSizes& unit) {
+  const double force = unit.mass * unit.length / (unit.time * unit.time);
+  layout.fluid.density *= unit.mass / std::pow(unit.length, 3);
+  layout.fluid.kinematic_viscosity *= unit.length * unit.length / unit.time;
+  ThreeBeadSwimmer swimmer = three_beads(layout.types["a"]);
+  for (Bead& bead : swimmer.beads) {
+    bead.radius *= unit.length;
+    bead.density *= unit.mass / std::pow(unit.length, 3);
+  }
+  for (Spring& spring : swimmer.springs) {
+    spring.rest_length *= unit.length;
+    spring.stiffness *= force / unit.length;
+    spring.damping *= force / unit.length * unit.time;
+  }
+  swimmer.angular_stiffness *= force * unit.length;
+  for (double& amplitude : swimmer.driving.amplitude) amplitude *= force;
+  swimmer.driving.period *= unit.time;
+  layout.types["a"] = swimmer_type(swimmer);
+  if (layout.domain.box) layout.domain.box->lengths *= unit.length;
+  for (Swimmer& swimmer_in_box : layout.swimmers) swimmer_in_box.position *= unit.length;
+}
+
 }  // namespace
 
 Vec3 parse_vector(const std::string& text) {
@@ -122,10 +146,31 @@ Units FluidFlags::units() const {
           .mass = unit_named(Quantity::mass, names[2])};
 }
 
+UnitSizes SwimmerFlags::preset_units() const {
+  const Units units = fluid_.units();
+  if (units.lattice) return {};
+  const std::vector<double> radii = radius_.empty() ? std::vector<double>{} : parse_numbers(radius_);
+  if (radii.size() != 1 || fluid_.viscosity().empty() || fluid_.density().empty())
+    throw InputError(
+        "--units",
+        fmt::format("the preset is in lattice units, and its numbers are converted; give one --radius, "
+                    "--viscosity and --density in the units {}, {} and {}, from which the sizes of its "
+                    "units follow",
+                    units.length.name, units.time.name, units.mass.name));
+  const Layout preset = preset_layout();
+  Fluid fluid = preset.fluid;
+  fluid_.apply(fluid);
+  const double length = radii[0] / smallest_radius(preset.types.at("a"));
+  return {.length = length,
+          .time = preset.fluid.kinematic_viscosity / fluid.kinematic_viscosity * length * length,
+          .mass = fluid.density / preset.fluid.density * std::pow(length, 3)};
+}
+
 Layout SwimmerFlags::layout(const std::vector<std::string>& other_missing_flags) const {
   if (preset_.empty()) require_complete(other_missing_flags);
   Layout layout = preset_.empty() ? Layout{} : preset_layout();
   layout.units = fluid_.units();
+  if (!preset_.empty() && !layout.units.lattice) convert(layout, preset_units());
   fluid_.apply(layout.fluid);
   ThreeBeadSwimmer swimmer = preset_.empty() ? ThreeBeadSwimmer{.driving = {.phase = std::numbers::pi / 2}}
                                              : three_beads(layout.types["a"]);
@@ -133,7 +178,7 @@ Layout SwimmerFlags::layout(const std::vector<std::string>& other_missing_flags)
   apply_springs(swimmer);
   apply_driving(swimmer.driving);
   const SwimmerType& type = layout.types["a"] = swimmer_type(swimmer);
-  if (layout.resolution) layout.resolution = unit_resolution(type, layout.fluid);
+  if (layout.resolution && layout.units.lattice) layout.resolution = unit_resolution(type, layout.fluid);
   return layout;
 }
 

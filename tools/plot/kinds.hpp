@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "beadswim/figure/figure.hpp"
+#include "beadswim/figure/swarm_picture.hpp"
+#include "beadswim/figure/swimmer_sketch.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {
@@ -18,12 +20,15 @@ struct PlotFiles {
   std::string data;  ///< file of the numbers drawn; empty: none
 };
 
-/// A drawn figure: SVG, and its numbers as comma-separated values; pictures of beads have none.
+/// A drawn figure: SVG, and its numbers as comma-separated values.
 struct Drawn {
   Drawn(const Figure& figure) : svg(figure_to_svg(figure)), csv(figure_to_csv(figure)) {}
-  Drawn(std::string picture) : svg(std::move(picture)) {}
+  Drawn(const SwarmPicture& picture)
+      : svg(swarm_picture_to_svg(picture)), csv(swarm_picture_to_csv(picture)) {}
+  Drawn(const SwimmerSketch& sketch)
+      : svg(swimmer_sketch_to_svg(sketch)), csv(swimmer_sketch_to_csv(sketch)) {}
 
-  std::string svg, csv{};
+  std::string svg, csv;
 };
 
 /// Reads the inputs and draws the figure. Throws InputError for invalid inputs.
@@ -34,7 +39,6 @@ struct PlotKind {
   const char* name;
   const char* description;
   const char* inputs;                       ///< help on the input files
-  bool has_data;                            ///< true: a chart, whose numbers --data writes
   Drawing (*add_flags)(CLI::App& command);  ///< adds flags, and returns the function that draws
   std::array<const char*, 2> examples;      ///< examples at the end of the help
 };

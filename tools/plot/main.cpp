@@ -45,12 +45,11 @@ int run(int argc, const char* const* argv) {
         ->add_option("-o,--output", files.output,
                      "Figure to write: .svg, .png, .pdf, or - for SVG on standard output")
         ->type_name("FILE");
-    if (kind.has_data)
-      command
-          ->add_option("--data", files.data,
-                       "File to write with the numbers drawn, as comma-separated values with names and units")
-          ->type_name("FILE.csv")
-          ->default_str("none");
+    command
+        ->add_option("--data", files.data,
+                     "File to write with the numbers drawn, as comma-separated values with names and units")
+        ->type_name("FILE.csv")
+        ->default_str("none");
     commands.emplace_back(command, kind.add_flags(*command));
     set_footer(*command, {kind.examples.begin(), kind.examples.end()}, "figures.md");
   }

@@ -270,9 +270,7 @@ Drawing add_swarm_flags(CLI::App& command) {
   command.add_flag("--distances", options->distances,
                    "Draw the distances C between neighbouring swimmers of a block and D between adjacent "
                    "blocks; for layouts only.");
-  return [options](const PlotFiles& files) {
-    return swarm_picture_to_svg(swarm_figure(files.inputs, *options));
-  };
+  return [options](const PlotFiles& files) { return swarm_figure(files.inputs, *options); };
 }
 
 }  // namespace beadswim

@@ -36,7 +36,7 @@ SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wante
   const std::vector<std::size_t> first = header.first_beads();
   for (std::size_t s = 0; s < first.size(); ++s) {
     const SwimmerType& type = file.type(s);
-    PicturedSwimmer swimmer{.beads = {}, .bonds = bonds_of(type)};
+    PicturedSwimmer swimmer{.id = header.swimmer[first[s]], .beads = {}, .bonds = bonds_of(type)};
     for (std::size_t b = first[s]; b < first[s] + type.beads.size(); ++b)
       swimmer.beads.push_back({.centre = frame.positions[b], .radius = header.radius[b]});
     scene.swimmers.push_back(std::move(swimmer));
@@ -55,7 +55,7 @@ SwarmScene scene_of(Layout layout, const std::string& source) {
     const SwimmerType& type = scene.layout.types.at(swimmer.type);
     scene.in_layout.push_back(scene.in_layout.size());
     const std::vector<Vec3> places = rest_positions(type, swimmer.position, swimmer.orientation());
-    PicturedSwimmer pictured{.beads = {}, .bonds = bonds_of(type)};
+    PicturedSwimmer pictured{.id = swimmer.id, .beads = {}, .bonds = bonds_of(type)};
     for (std::size_t b = 0; b < places.size(); ++b)
       pictured.beads.push_back({.centre = places[b], .radius = type.beads[b].radius});
     scene.swimmers.push_back(std::move(pictured));

@@ -104,6 +104,7 @@ SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optiona
                        .dashpot_labels = labels<2>("c", {first.damping, second.damping}, friction),
                        .force_angle = force_angle(swimmer, type.driving)};
   sketch.radius_labels = labels("λ", sketch.radii, length);
+  sketch.length_unit = length_unit(units);
   sketch.length_labels = labels("l", sketch.rest_lengths, length);
   for (std::size_t arm = 0; arm < 2; ++arm)
     if (type.springs[arm].damping == 0) sketch.dashpot_labels[arm].clear();
@@ -127,7 +128,7 @@ Drawing add_swimmer_flags(CLI::App& command) {
           "--swimmers",
           fmt::format("{} ids are given, but a sketch shows one swimmer; give one id", ids->size()));
     const auto id = ids->empty() ? std::nullopt : std::optional(ids->front());
-    return swimmer_sketch_to_svg(swimmer_figure(files.inputs, id));
+    return swimmer_figure(files.inputs, id);
   };
 }
 

@@ -11,7 +11,7 @@
 #include "one_run.hpp"
 #include "planning/plan_flags.hpp"
 #include "planning/plan_report.hpp"
-#include "stream.hpp"
+#include "stream/stream_runs.hpp"
 
 namespace {
 

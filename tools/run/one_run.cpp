@@ -122,7 +122,7 @@ RunOutcome run_layout(const LayoutDocument& document, Request& request, double s
   check_steps_left(plan, request);
   const long done = request.steps_done;
   Progress progress(options.progress, done, plan.steps_in(options.settings.cycles),
-                    static_cast<double>(plan.steps_per_cycle), plan.updates_per_step);
+                    static_cast<double>(plan.steps_per_cycle), plan.updates_per_step, request.take_share);
   if (communicator.is_root()) announce(plan, request);
 
   const std::unique_ptr<Model> model = plan.make(request.continues_same_trajectory() ? done : 0);

@@ -1,20 +1,24 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 
 #include "command_line/options.hpp"
 
 namespace beadswim {
 
+/// Takes the share of a run that is done, from 0 to 1.
+using TakeShare = std::function<void(double)>;
+
 /// Prints on standard error how many cycles of a run are done and the expected time until the run ends.
 class Progress {
  public:
   /// `first`: number of time steps that an earlier run has completed. `steps`: total number of time steps,
   /// including `first`. `updates_per_step`: number of lattice cells that a step updates; nullopt for models
-  /// without a lattice, for which no speed (MLUPS) is printed.
+  /// without a lattice, for which no speed (MLUPS) is printed. `take`: called in every update, if not empty.
   Progress(ProgressStyle style, long first, long steps, double steps_per_cycle,
-           std::optional<double> updates_per_step);
+           std::optional<double> updates_per_step, TakeShare take = {});
 
   void update(long steps_done);  ///< prints a line if enough time has passed since the last line
   void finish(long steps_done);  ///< prints the last line
@@ -27,6 +31,7 @@ class Progress {
   ProgressStyle style_;
   double first_, steps_, steps_per_cycle_;
   std::optional<double> updates_per_step_;
+  TakeShare take_;
   Clock::time_point start_, last_;
 };
 

@@ -69,6 +69,12 @@ TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan
       header.radius.push_back(plan.radii[swimmer.type][b]);
     }
   }
+  // Units that readers of molecular simulations know. They refuse files with others, and need none.
+  if (const Units& units = document.layout.units;
+      !units.lattice && units.length.name == "nm" && units.time.name == "ns") {
+    header.length_unit = units.length.name;
+    header.time_unit = units.time.name;
+  }
   header.creator_version = version() + " (" + revision() + ")";
   header.parameters["layout"] = dump_json(layout_to_json(document));
   header.cycle_columns = columns_of<CycleStatistics>({}, widest_cycle(document.layout));

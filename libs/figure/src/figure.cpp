@@ -9,6 +9,7 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
+#include "csv.hpp"
 #include "note_block.hpp"
 #include "palette.hpp"
 #include "svg.hpp"
@@ -364,12 +365,6 @@ double page_width(const Figure& figure) {
         right, legend_left + svg::text_width(label_text(panel.value_label, likely_exponent), label_size));
   }
   return std::ceil(right + margin);
-}
-
-std::string quoted(const std::string& text) {
-  std::string all = "\"";
-  for (const char c : text) all += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return all + "\"";
 }
 
 /// Returns a line of comma-separated values for each finite point of the series.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
+#include "csv.hpp"
 #include "note_block.hpp"
 #include "palette.hpp"
 #include "perspective.hpp"
@@ -273,6 +274,18 @@ std::string swarm_picture_to_svg(const SwarmPicture& picture) {
   if (!picture.keys.empty()) elements += draw_keys(picture, top += line_pitch);
   const NoteBlock notes = draw_notes(picture.notes, {margin, top + line_pitch}, width - 2 * margin);
   return svg::document(width, notes.bottom + margin, picture.title, elements + notes.elements);
+}
+
+std::string swarm_picture_to_csv(const SwarmPicture& picture) {
+  std::string lines = "swimmer,bead,x,y,z,radius,unit\n";
+  for (const PicturedSwimmer& swimmer : picture.swimmers) {
+    for (std::size_t b = 0; b < swimmer.beads.size(); ++b) {
+      const auto& [centre, radius] = swimmer.beads[b];
+      lines += fmt::format("{},{},{},{},{},{},{}\n", swimmer.id, b + 1, centre.x(), centre.y(), centre.z(),
+                           radius, quoted(picture.length_unit));
+    }
+  }
+  return lines;
 }
 
 }  // namespace beadswim

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csv.hpp"
 #include "note_block.hpp"
 #include "palette.hpp"
 #include "svg.hpp"
@@ -177,6 +178,16 @@ std::string swimmer_sketch_to_svg(const SwimmerSketch& sketch) {
   const double width = page_width(sketch, page);
   const NoteBlock notes = draw_notes(sketch.notes, {margin, top + line_pitch}, width - 2 * margin);
   return svg::document(width, notes.bottom + margin, sketch.title, elements + notes.elements);
+}
+
+std::string swimmer_sketch_to_csv(const SwimmerSketch& sketch) {
+  std::string lines = "bead,x,radius,unit\n";
+  double x = 0;
+  for (std::size_t b = 0; b < sketch.radii.size(); ++b) {
+    if (b > 0) x += sketch.rest_lengths[b - 1];
+    lines += fmt::format("{},{},{},{}\n", b + 1, x, sketch.radii[b], quoted(sketch.length_unit));
+  }
+  return lines;
 }
 
 }  // namespace beadswim

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <map>
@@ -200,13 +201,16 @@ int usable_processors() {
   return ::sched_getaffinity(0, sizeof(usable), &usable) == 0 ? CPU_COUNT(&usable) : 1;
 }
 
-void StreamProgress::update(int done) {
+void StreamProgress::update(double done, int before) {
   const Clock::time_point now = Clock::now();
   if (now - last_ < std::chrono::seconds(10)) return;
   last_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  print_to_stderr(fmt::format("{}: {} of {} {} done, about {:.0f} s left\n", program_, done, count_, what_,
-                              seconds / std::max(done, 1) * (count_ - done)));
+  const double own = done - before;
+  const std::string left =
+      own > 0 ? fmt::format(", about {:.0f} s left", seconds / own * (count_ - done)) : "";
+  print_to_stderr(fmt::format("{}: {:.0f} of {} {} done ({:.0f} %){}\n", program_, std::floor(done), count_,
+                              what_, 100 * done / count_, left));
 }
 
 }  // namespace beadswim

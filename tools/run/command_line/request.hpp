@@ -8,6 +8,7 @@
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
 #include "command_line/options.hpp"
+#include "progress.hpp"
 
 namespace beadswim {
 
@@ -18,6 +19,7 @@ struct Request {
   long steps_done = 0;                           ///< number of time steps before the checkpoint
 
   std::string name;  ///< name of the layout of a stream, for messages; empty for one layout
+  TakeShare take_share{};  ///< of a run of a stream: for the progress of the stream
 
   /// Returns the name of the layout in messages.
   std::string source() const {

@@ -24,19 +24,6 @@ std::string percent(double share) {
   return share < 10 ? fmt::format("{:.2g}", 100 * share) : "> 1000";
 }
 
-std::string size_text(double bytes) {
-  return bytes < 1e9 ? fmt::format("{:.3g} MB", 1e-6 * bytes) : fmt::format("{:.3g} GB", 1e-9 * bytes);
-}
-
-std::string row(const PlannedRun& run, const RunOptions& options, const Communicator& communicator,
-                const std::string& remark) {
-  return fmt::format("  {:<74} {:>7} {:>7} {:>9.3g} {:>9.3g} {:>8} {:>8}  {}\n", flags_of(run, options),
-                     percent(run.error.velocity),
-                     percent(std::max(run.error.arm_amplitudes[0], run.error.arm_amplitudes[1])),
-                     run.core_seconds, run.core_seconds / communicator.size(), size_text(run.memory_bytes),
-                     size_text(run.output_bytes), remark);
-}
-
 /// Replaces the numbers in the reason why a run is impossible by #. Reasons that differ only in numbers
 /// become equal and can be grouped.
 std::string reason_kind(std::string reason) {
@@ -104,10 +91,27 @@ std::string command_of(const Proposal& proposal, const RunOptions& options) {
 
 }  // namespace
 
+std::string size_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.3g} MB", 1e-6 * bytes) : fmt::format("{:.3g} GB", 1e-9 * bytes);
+}
+
+std::string plan_head(const std::string& indent) {
+  return fmt::format(
+      "{0}  {1:<74} {2:>15} {3:>9} {4:>9} {5:>8} {6:>8}\n{0}  {7:<74} {8:>7} {9:>7} {10:>9} {11:>9}\n",
+      indent, "", "error [%]", "cost", "time", "memory", "output", "run", "v", "arms", "core s", "s");
+}
+
+std::string plan_row(const PlannedRun& run, const RunOptions& options, const Communicator& communicator,
+                     const std::string& remark) {
+  return fmt::format("  {:<74} {:>7} {:>7} {:>9.3g} {:>9.3g} {:>8} {:>8}  {}\n", flags_of(run, options),
+                     percent(run.error.velocity),
+                     percent(std::max(run.error.arm_amplitudes[0], run.error.arm_amplitudes[1])),
+                     run.core_seconds, run.core_seconds / communicator.size(), size_text(run.memory_bytes),
+                     size_text(run.output_bytes), remark);
+}
+
 std::string plan_table(const RunPlan& plan, const RunOptions& options, const Communicator& communicator) {
-  std::string text = fmt::format(
-      "  {:<74} {:>15} {:>9} {:>9} {:>8} {:>8}\n  {:<74} {:>7} {:>7} {:>9} {:>9} {:>8} {:>8}\n", "",
-      "error [%]", "cost", "time", "memory", "output", "run", "v", "arms", "core s", "s", "", "");
+  std::string text = plan_head();
   std::vector<const PlannedRun*> front;
   std::map<std::string, std::vector<const PlannedRun*>> refused;
   for (const PlannedRun& run : plan.runs) {
@@ -120,7 +124,7 @@ std::string plan_table(const RunPlan& plan, const RunOptions& options, const Com
   std::ranges::sort(front, {}, &PlannedRun::core_seconds);
   const PlannedRun* choice = plan.choice ? &plan.runs[*plan.choice] : nullptr;
   for (const PlannedRun* run : front)
-    text += row(*run, options, communicator, run == choice ? "<- cheapest" : "");
+    text += plan_row(*run, options, communicator, run == choice ? "<- cheapest" : "");
   text += cells_by_level(front) + fmt::format("error: {}\n", error_definition);
   for (const auto& [kind, runs] : refused) {
     const std::string others = runs.size() > 1 ? fmt::format(", and {} similar runs", runs.size() - 1) : "";

@@ -15,6 +15,16 @@ namespace beadswim {
 /// `options`: command line that requested the plan.
 std::string plan_table(const RunPlan& plan, const RunOptions& options, const Communicator& communicator);
 
+/// Returns the head of the table, two lines. `indent`: begin of both.
+std::string plan_head(const std::string& indent = "");
+
+/// Returns the row of a run in the table. `remark`: end of the row.
+std::string plan_row(const PlannedRun& run, const RunOptions& options, const Communicator& communicator,
+                     const std::string& remark);
+
+/// Returns a size as text, such as "1.2 GB".
+std::string size_text(double bytes);
+
 /// Returns all runs of the plan as a document that follows schemas/plan.schema.json.
 Json plan_to_json(const RunPlan& plan, const RunOptions& options, const Communicator& communicator);
 

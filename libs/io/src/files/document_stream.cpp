@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <utility>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/io/json.hpp"
@@ -54,15 +53,21 @@ OpenFile copy_of(std::FILE* file, const std::string& source) {
   return copy;
 }
 
-/// Opens a file that can be read several times: the file itself, or a copy of standard input or of a pipe.
-OpenFile open_rereadable(const std::string& path, const std::string& source) {
-  if (path == "-") return copy_of(stdin, source);
+OpenFile open_file(const std::string& path, const std::string& source) {
   OpenFile file(std::fopen(path.c_str(), "rb"));
+  if (!file) refuse_unreadable(source);
+  return file;
+}
+
+/// Returns a copy of a file that can be read only once, such as standard input or a pipe; nullptr for others.
+OpenFile copy_if_read_once(const std::string& path, const std::string& source) {
+  if (path == "-") return copy_of(stdin, source);
+  const OpenFile file = open_file(path, source);
   struct stat status {};
-  if (!file || ::fstat(::fileno(file.get()), &status) != 0) refuse_unreadable(source);
+  if (::fstat(::fileno(file.get()), &status) != 0) refuse_unreadable(source);
   if (S_ISDIR(status.st_mode))
     throw InputError(source, "this path is a folder; name a file, or - for standard input");
-  return S_ISREG(status.st_mode) ? std::move(file) : copy_of(file.get(), source);
+  return S_ISREG(status.st_mode) ? nullptr : copy_of(file.get(), source);
 }
 
 }  // namespace
@@ -76,28 +81,38 @@ DocumentStream::DocumentStream(const std::vector<std::string>& paths) {
   require_one_standard_input(paths);
   for (const std::string& path : paths) {
     File& file = files_.emplace_back(File{.source = path == "-" ? "standard input" : path});
-    file.stream = open_rereadable(path, file.source);
+    file.copy = copy_if_read_once(path, file.source);
+    file_ = files_.size() - 1;
+    std::FILE* stream = open_at_start();
     std::string first, second;
-    const bool has_first = read_line_with_text(file.stream.get(), first, file.source);
-    const bool has_second = has_first && read_line_with_text(file.stream.get(), second, file.source);
+    const bool has_first = read_line_with_text(stream, first, file.source);
+    const bool has_second = has_first && read_line_with_text(stream, second, file.source);
     const bool is_first_complete = has_first && Json::accept(first);
     file.is_lines = is_first_complete || (has_second && second[0] == '{' && Json::accept(second));
     file.has_several = file.is_lines && has_second;
     is_lines_ = is_lines_ && file.is_lines;
-    std::rewind(file.stream.get());
   }
+  rewind();
+}
+
+std::FILE* DocumentStream::open_at_start() {
+  const File& file = files_[file_];
+  open_ = file.copy ? nullptr : open_file(file.source, file.source);
+  if (file.copy) std::rewind(file.copy.get());
+  return stream();
 }
 
 std::optional<StreamMember> DocumentStream::next() {
   for (; file_ < files_.size(); ++file_, line_ = 0) {
     const File& file = files_[file_];
+    if (line_ == 0) open_at_start();
     StreamMember member{.text = {}, .source = file.source};
     if (!file.is_lines && line_++ == 0) {
-      for (std::string line; read_line(file.stream.get(), line, file.source);) member.text += line;
+      for (std::string line; read_line(stream(), line, file.source);) member.text += line;
       member.number = ++number_;
       return member;
     }
-    while (file.is_lines && read_line(file.stream.get(), member.text, file.source)) {
+    while (file.is_lines && read_line(stream(), member.text, file.source)) {
       ++line_;
       if (is_blank(member.text)) continue;
       member.text.erase(member.text.find_last_not_of("\r\n") + 1);
@@ -110,7 +125,6 @@ std::optional<StreamMember> DocumentStream::next() {
 }
 
 void DocumentStream::rewind() {
-  for (const File& file : files_) std::rewind(file.stream.get());
   file_ = 0;
   line_ = number_ = 0;
 }

@@ -121,11 +121,23 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHead
   add_element(frames_, "particles/beads/velocity", H5T_NATIVE_FLOAT, {beads_, 3});
   add_element(frames_, "observables/mean_flow", H5T_NATIVE_DOUBLE, {3});
   add_element(frames_, "observables/momentum", H5T_NATIVE_DOUBLE, {3});
+  write_units(header);
   for (const Column& column : header.cycle_columns) {
     std::vector<hsize_t> row{swimmers};
     row.insert(row.end(), column.shape.begin(), column.shape.end());
     add_element(cycles_, swimmers_group + column.name, H5T_NATIVE_DOUBLE, row);
   }
+}
+
+void TrajectoryWriter::write_units(const TrajectoryHeader& header) {
+  if (continues_checkpoint_ || header.length_unit.empty()) return;
+  const std::string velocity_unit = header.length_unit + " " + header.time_unit + "-1";
+  for (const auto& [name, unit] : {std::pair{frames_.time_name, header.time_unit},
+                                   {"particles/beads/position/value", header.length_unit},
+                                   {"particles/beads/box/edges/value", header.length_unit},
+                                   {"particles/beads/velocity/value", velocity_unit},
+                                   {"observables/mean_flow/value", velocity_unit}})
+    write_variable_attribute(series_.at(name).dataset, "unit", unit);
 }
 
 TrajectoryWriter::~TrajectoryWriter() {

@@ -107,6 +107,15 @@ void write_attribute(hid_t object, const std::string& name, const std::string& t
   write_attribute_data(object, name, type, space, text.data());
 }
 
+void write_variable_attribute(hid_t object, const std::string& name, const std::string& text) {
+  const H5Handle type = fixed_string_type(1);
+  check_hdf5(H5Tset_size(type, H5T_VARIABLE), "attribute " + name);
+  check_hdf5(H5Tset_strpad(type, H5T_STR_NULLTERM), "attribute " + name);
+  const H5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "dataspace");
+  const char* data = text.c_str();
+  write_attribute_data(object, name, type, space, &data);
+}
+
 void write_attribute(hid_t object, const std::string& name, int value) {
   const H5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "dataspace");
   write_attribute_data(object, name, H5T_NATIVE_INT, space, &value);

@@ -19,6 +19,7 @@ struct PicturedBead {
 };
 
 struct PicturedSwimmer {
+  int id = 0;
   std::vector<PicturedBead> beads;          ///< at least one
   std::vector<std::array<int, 2>> bonds{};  ///< indices of the two beads that each bond joins
   int colour = 0;                           ///< index in the palette of Okabe and Ito, modulo its size
@@ -56,12 +57,16 @@ struct SwarmPicture {
   std::vector<PictureMark> marks{};
   std::vector<PictureDistance> distances{};
   std::vector<Note> notes{};
-  std::string length_unit{};  ///< unit of the scale bar along the lower front edge of the box
+  std::string length_unit{};  ///< also of the scale bar along the lower front edge of the box
 };
 
 /// Returns a complete SVG document, about 70 bytes per bead. Beads are shaded discs and bonds are lines. Near
 /// beads and bonds hide far ones. Throws InputError if there is no swimmer.
 std::string swarm_picture_to_svg(const SwarmPicture& picture);
+
+/// Returns the beads that are drawn as comma-separated values: id of the swimmer, number of the bead in it,
+/// place in the box and radius, with the unit of length.
+std::string swarm_picture_to_csv(const SwarmPicture& picture);
 
 /// Moves each swimmer by multiples of the box lengths along periodic axes, so that its middle bead is in the
 /// box.

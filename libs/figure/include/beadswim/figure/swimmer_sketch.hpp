@@ -19,6 +19,7 @@ struct SwimmerSketch {
   std::array<double, 2> rest_lengths{};  ///< [length]
   std::array<std::string, 3> radius_labels{}, force_labels{};
   std::array<std::string, 2> length_labels{}, spring_labels{}, dashpot_labels{};
+  std::string length_unit{};
   double force_angle = 0;  ///< from the swimmer's axis to the forces on beads 1 and 3, counterclockwise [rad]
   std::vector<Note> notes{};
 };
@@ -26,5 +27,9 @@ struct SwimmerSketch {
 /// Returns a complete SVG document with beads, springs and dashpots. Forces are drawn above the beads,
 /// lengths below the beads.
 std::string swimmer_sketch_to_svg(const SwimmerSketch& sketch);
+
+/// Returns the beads as comma-separated values: number, distance of the centre from that of bead 1, and
+/// radius, with the unit of length.
+std::string swimmer_sketch_to_csv(const SwimmerSketch& sketch);
 
 }  // namespace beadswim

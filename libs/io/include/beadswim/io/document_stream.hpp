@@ -21,7 +21,8 @@ struct StreamMember {
 /// Throws InputError if standard input, "-", is named more than once.
 void require_one_standard_input(const std::vector<std::string>& paths);
 
-/// Reads the documents of files one by one, so that memory does not grow with their number. A file contains
+/// Reads the documents of files one by one, with one file open at a time, so that neither memory nor open
+/// files grow with their number. A file contains
 /// JSON Lines if its first line is a complete document, or if its second line is a complete object. Empty
 /// lines are skipped.
 class DocumentStream {
@@ -43,11 +44,16 @@ class DocumentStream {
  private:
   struct File {
     std::string source;
-    OpenFile stream{};
+    OpenFile copy{};  ///< of a file that can be read only once; nullptr for others
     bool is_lines = false, has_several = false;
   };
 
+  /// Goes to the start of the present file, and returns it.
+  std::FILE* open_at_start();
+  std::FILE* stream() const { return open_ ? open_.get() : files_[file_].copy.get(); }
+
   std::vector<File> files_;
+  OpenFile open_{};  ///< the present file, if it has no copy
   bool is_lines_ = true;
   std::size_t file_ = 0;  ///< index of the file with the next document
   int line_ = 0;          ///< number of lines of this file that have been read

@@ -30,6 +30,8 @@ struct TrajectoryHeader {
   std::vector<int> bead;                    ///< number of each bead in its swimmer: 1, 2, ...
   std::vector<double> radius;               ///< radius of each bead [length]
   std::vector<std::array<int, 2>> bonds{};  ///< indices of the two beads of each bond
+  /// Names of the units of length and time, which become attributes "unit"; empty: no attributes.
+  std::string length_unit{}, time_unit{};
   std::string creator_version;
   std::map<std::string, std::string> parameters;  ///< texts of the group /parameters: layout, units, ...
   std::vector<Column>
@@ -115,6 +117,7 @@ class TrajectoryWriter {
   };
 
   void write_metadata(const TrajectoryHeader& header);
+  void write_units(const TrajectoryHeader& header);
   void create_groups(const TrajectoryHeader& header);
   /// Adds a series to series_. Creates its dataset, or opens the existing dataset if the file comes from a
   /// checkpoint.

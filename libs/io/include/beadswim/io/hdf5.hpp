@@ -52,6 +52,8 @@ bool has_plausible_extents(hid_t dataset, std::span<const hsize_t> extents);
 H5Handle create_group(hid_t parent, const std::string& name);
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
+/// Writes a string of variable length, which h5py reads as text. It reads those of fixed length as bytes.
+void write_variable_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, int value);
 void write_attribute(hid_t object, const std::string& name, std::span<const int> values);
 /// Writes an array of strings of fixed length, padded with zeros.

@@ -36,7 +36,9 @@ class StreamProgress {
   StreamProgress(std::string program, int count, std::string what = "layouts")
       : program_(std::move(program)), count_(count), what_(std::move(what)) {}
 
-  void update(int done);
+  /// `done`: number of parts that are done; a fraction counts a part that is half done. `before`: number of
+  /// parts that were done before this work began; they do not count for the time left.
+  void update(double done, int before = 0);
 
  private:
   using Clock = std::chrono::steady_clock;

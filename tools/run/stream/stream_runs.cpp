@@ -1,10 +1,13 @@
-#include "stream.hpp"
+#include "stream/stream_runs.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <thread>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/rank_failure.hpp"
@@ -16,6 +19,8 @@
 #include "checkpoints.hpp"
 #include "one_run.hpp"
 #include "stop_signal.hpp"
+#include "stream/stream_plan.hpp"
+#include "stream/stream_schedule.hpp"
 
 namespace beadswim {
 namespace {
@@ -23,21 +28,16 @@ namespace {
 /// Flags that change neither results nor records.
 constexpr std::array same_result_flags{"--time-limit", "--progress", "--ranks-per-run", "--checkpoint-every"};
 
-/// Returns the communicator of the ranks that run one layout together. Collective.
-std::unique_ptr<Communicator> group_of(const Communicator& communicator, int ranks_per_run) {
-  const int groups = communicator.size() / ranks_per_run;
-  MPI_Comm own = MPI_COMM_NULL;
-  MPI_Comm_split(communicator.get(), std::min(communicator.rank() / ranks_per_run, groups - 1),
-                 communicator.rank(), &own);
-  auto group = std::make_unique<Communicator>(own);
-  MPI_Comm_free(&own);
-  return group;
-}
-
 /// Counters on rank 0, which rank 0 of every group may read and raise at any time.
 class SharedCounters {
  public:
-  enum Counter { claimed, done, stopped, number_of_counters };
+  enum Counter {
+    claimed,   ///< layouts that a group has begun
+    treated,   ///< millionths of layouts that have been treated
+    existing,  ///< layouts whose records were there before
+    stopped,   ///< groups that a signal or the time limit stopped
+    number_of_counters
+  };
 
   explicit SharedCounters(const Communicator& communicator) {
     long* memory = nullptr;
@@ -55,6 +55,7 @@ class SharedCounters {
   SharedCounters(const SharedCounters&) = delete;
   SharedCounters& operator=(const SharedCounters&) = delete;
 
+  long value(Counter counter) { return add(counter, 0); }
   /// Adds a number to a counter. Returns its former value.
   long add(Counter counter, long number) {
     long former = 0;
@@ -136,20 +137,28 @@ class RecordPrinter {
   int printed_ = 0, failed_ = 0, warned_ = 0;
 };
 
-/// Runs one layout, unless its record exists. Returns false if a signal or the time limit stopped the run.
-/// Collective for the group.
-bool run_member(const StreamMember& member, const RunOptions& options, double start,
-                const Communicator& group, const Communicator& failures) {
+/// End of the work on a layout.
+enum class MemberEnd {
+  treated,
+  existing,  ///< its record was there before
+  stopped    ///< by a signal or the time limit
+};
+
+/// Runs one layout, unless its record exists. `take_share`: takes the share of the run that is done, on rank
+/// 0 of the group. Collective for the group.
+MemberEnd run_member(const StreamMember& member, const RunOptions& options, double start,
+                     const TakeShare& take_share, const Communicator& group, const Communicator& failures) {
   const LayoutDocument document = layout_of(member);
   const MemberRun run = member_run(options, document, member.number);
   int is_done = group.is_root() && !earlier_record(run).is_null();
   MPI_Bcast(&is_done, 1, MPI_INT, 0, group.get());
-  if (is_done) return true;
+  if (is_done) return MemberEnd::existing;
   // The record of other flags must not stay beside the trajectory that this run replaces.
   if (group.is_root()) std::filesystem::remove(run.record_path);
   Request request;
   request.options = run.options;
   request.name = member.source;
+  request.take_share = take_share;
   request.checkpoint = open_interrupted_run(run.options, dump_json(layout_to_json(document)), group);
   if (request.checkpoint) request.steps_done = steps_done_in(*request.checkpoint);
   RunOutcome outcome;
@@ -163,24 +172,128 @@ bool run_member(const StreamMember& member, const RunOptions& options, double st
     record = failure_to_json(
         {.program = program_name, .member = member.number, .reason = error.what(), .study = document.study});
   }
-  if (outcome.status == RunStatus::stopped_time || outcome.status == RunStatus::stopped_signal) return false;
+  if (outcome.status == RunStatus::stopped_time || outcome.status == RunStatus::stopped_signal)
+    return MemberEnd::stopped;
   if (group.is_root()) write_record(record, run);
-  return true;
+  return MemberEnd::treated;
 }
 
-/// Returns the number of ranks of each group: that of --ranks-per-run, or as few as keep all ranks busy.
-int ranks_per_run(const RunOptions& options, int layouts, int ranks) {
-  if (!options.ranks_per_run) return std::max(1, ranks / layouts);
-  if (*options.ranks_per_run <= ranks) return *options.ranks_per_run;
-  throw InputError("--ranks-per-run", fmt::format("{} is more than the {} ranks of this program; give a "
-                                                  "smaller number, or more ranks with mpirun -n",
-                                                  *options.ranks_per_run, ranks));
-}
+/// Work of all groups on the layouts of a stream.
+class StreamRuns {
+ public:
+  /// `start`: MPI_Wtime from which --time-limit counts [s]. Collective.
+  StreamRuns(const StoredLayouts& layouts, const RunOptions& options, double start, RecordPrinter& printer,
+             bool has_progress, const Communicator& communicator, const Communicator& failures)
+      : layouts_(layouts),
+        options_(options),
+        start_(start),
+        printer_(printer),
+        has_progress_(has_progress && communicator.is_root()),
+        communicator_(communicator),
+        failures_(failures),
+        progress_(program_name, layouts.size()),
+        counters_(communicator) {}
+
+  /// Runs all layouts, and prints their records. Returns true if a signal or the time limit stopped a run. If
+  /// a rank fails, all ranks of the program are aborted. Collective.
+  bool run(const StreamSchedule& schedule, const Communicator& group) {
+    bool is_stopped = false;
+    try {
+      is_stopped = run_side_by_side(schedule.side_by_side, group);
+      for (const int number : schedule.on_all_ranks) {
+        if (is_stopped) break;
+        is_stopped = run_one(number, communicator_);
+      }
+      if (communicator_.is_root()) printer_.print_available();
+    } catch (...) {  // not rethrown: the destructor of the counters would wait for the other ranks
+      abort_after_failure(program_name, failures_);
+    }
+    return is_stopped;
+  }
+
+ private:
+  static constexpr long whole = 1000000;  ///< a layout [millionths]
+
+  bool is_stopped() { return counters_.value(SharedCounters::stopped) > 0; }
+  double treated() {
+    return static_cast<double>(counters_.value(SharedCounters::treated)) / static_cast<double>(whole);
+  }
+
+  /// Runs the layouts that no other group has begun. Collective.
+  bool run_side_by_side(const std::vector<int>& numbers, const Communicator& group) {
+    const int count = static_cast<int>(numbers.size());
+    while (true) {
+      int next = count;
+      if (group.is_root() && !is_stopped())
+        next = static_cast<int>(std::min<long>(counters_.add(SharedCounters::claimed, 1), count));
+      MPI_Bcast(&next, 1, MPI_INT, 0, group.get());
+      if (next == count || run_one(numbers[next], group)) break;
+    }
+    if (communicator_.is_root()) wait_for(count);
+    MPI_Barrier(communicator_.get());
+    int stopped = communicator_.is_root() && is_stopped();
+    MPI_Bcast(&stopped, 1, MPI_INT, 0, communicator_.get());
+    return stopped != 0;
+  }
+
+  /// Returns true if the run was stopped. Collective for the group.
+  bool run_one(int number, const Communicator& group) {
+    long reported = 0;
+    double last = MPI_Wtime();
+    const TakeShare take_share = [&](double share) {
+      constexpr double interval = 1;  // [s]
+      if (MPI_Wtime() - last < interval) return;
+      last = MPI_Wtime();
+      const long now = std::lround(share * whole);
+      counters_.add(SharedCounters::treated, now - reported);
+      reported = now;
+      report_progress();
+    };
+    const MemberEnd end = run_member(layouts_.member(number), options_, start_, take_share, group, failures_);
+    if (!group.is_root()) return end == MemberEnd::stopped;
+    if (end == MemberEnd::stopped) {
+      counters_.add(SharedCounters::stopped, 1);
+      return true;
+    }
+    counters_.add(SharedCounters::treated, whole - reported);
+    if (end == MemberEnd::existing) counters_.add(SharedCounters::existing, 1);
+    if (communicator_.is_root()) printer_.print_available();
+    report_progress();
+    return false;
+  }
+
+  /// Prints records until other groups have treated `count` layouts, or have stopped.
+  void wait_for(int count) {
+    for (double done = treated(); done < count && !is_stopped();) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      const double now = treated();
+      if (std::floor(now) > std::floor(done)) printer_.print_available();
+      done = now;
+      report_progress();
+    }
+  }
+
+  void report_progress() {
+    if (has_progress_)
+      progress_.update(treated(), static_cast<int>(counters_.value(SharedCounters::existing)));
+  }
+
+  const StoredLayouts& layouts_;
+  const RunOptions& options_;
+  double start_;
+  RecordPrinter& printer_;
+  bool has_progress_;
+  const Communicator& communicator_;
+  const Communicator& failures_;
+  StreamProgress progress_;
+  SharedCounters counters_;
+};
 
 void check_flags(const StoredLayouts& layouts, const RunOptions& options) {
-  refuse_flags(options, {"--restart", "--plan"}, "is for a single layout; leave it out");
+  refuse_flags(options, {"--restart"}, "is for a single layout; leave it out");
   if (options.settings.model != RunModel::automatic)
     refuse_flags_of_other_models(options, options.settings.model);
+  if (options.plan) return;
   const std::size_t mark = options.output.find(number_mark);
   if (mark == std::string::npos || options.output.find(number_mark, mark + 1) != std::string::npos)
     throw InputError("--output", fmt::format("\"{}\": each of the {} layouts needs a trajectory of its own; "
@@ -216,36 +329,16 @@ void check_files(const StoredLayouts& layouts, const RunOptions& options) {
   }
 }
 
-/// Runs the layouts that no other group has begun, and prints the records that are there. Returns true if a
-/// signal or the time limit stopped a run. If a rank fails, all ranks of the program are aborted. Collective.
-bool run_members(const StoredLayouts& layouts, const RunOptions& options, double start,
-                 RecordPrinter& printer, bool has_progress, const Communicator& group,
-                 const Communicator& communicator, const Communicator& failures) {
-  StreamProgress progress(program_name, layouts.size());
-  bool is_stopped = false;
-  SharedCounters counters(communicator);
-  try {
-    while (!is_stopped) {
-      int number = 0;
-      if (group.is_root()) {
-        const bool is_end = counters.add(SharedCounters::stopped, 0) > 0;
-        number = is_end ? layouts.size() + 1 : static_cast<int>(counters.add(SharedCounters::claimed, 1)) + 1;
-      }
-      MPI_Bcast(&number, 1, MPI_INT, 0, group.get());
-      if (number > layouts.size()) break;
-      is_stopped = !run_member(layouts.member(number), options, start, group, failures);
-      if (!group.is_root()) continue;
-      const long done = counters.add(is_stopped ? SharedCounters::stopped : SharedCounters::done, 1) + 1;
-      if (is_stopped || !communicator.is_root()) continue;
-      printer.print_available();
-      if (has_progress) progress.update(static_cast<int>(done));
-    }
-    MPI_Allreduce(MPI_IN_PLACE, &is_stopped, 1, MPI_C_BOOL, MPI_LOR, communicator.get());
-    if (communicator.is_root()) printer.print_available();
-  } catch (...) {  // not rethrown: the destructor of the counters would wait for the other ranks
-    abort_after_failure(program_name, failures);
-  }
-  return is_stopped;
+void announce(const StreamSchedule& schedule, const Communicator& communicator) {
+  const std::size_t groups = schedule.side_by_side.size(), large = schedule.on_all_ranks.size();
+  std::string text = fmt::format("{}: {} layouts", program_name, groups + large);
+  if (groups > 0)
+    text += fmt::format("{}, {} at a time, {} ranks for each", large > 0 ? fmt::format(": {}", groups) : "",
+                        schedule.groups(communicator), schedule.ranks_per_run);
+  if (large > 0)
+    text += fmt::format("{} {} on large lattices, one after the other on all {} ranks",
+                        groups > 0 ? "; then" : ", all", large, communicator.size());
+  print_to_stderr(text + "\n");
 }
 
 /// Throws StoppedEarly or RunFailed on all ranks if not all layouts have a result. Collective.
@@ -279,11 +372,13 @@ int run_stream(LayoutStream& stream, const Request& request, double start, const
   const StoredLayouts layouts(stream);
   RunOptions options = request.options;
   check_flags(layouts, options);
-  const int per_run = ranks_per_run(options, layouts.size(), communicator.size());
+  if (options.plan) {
+    plan_stream(layouts, options, communicator);
+    return static_cast<int>(ExitStatus::fine);
+  }
+  const StreamSchedule schedule = schedule_of(layouts, options, communicator);
   const bool has_progress = communicator.is_root() && options.progress != ProgressStyle::none;
-  if (has_progress)
-    print_to_stderr(fmt::format("{}: {} layouts, {} at a time, {} ranks for each\n", program_name,
-                                layouts.size(), communicator.size() / per_run, per_run));
+  if (has_progress) announce(schedule, communicator);
   options.progress = ProgressStyle::none;
   std::string fault;
   if (communicator.is_root()) {
@@ -294,10 +389,10 @@ int run_stream(LayoutStream& stream, const Request& request, double start, const
     }
   }
   throw_together(fault, communicator);
-  const std::unique_ptr<Communicator> group = group_of(communicator, per_run);
+  const std::unique_ptr<Communicator> group = group_of(schedule, communicator);
   RecordPrinter printer(layouts, options);
-  const bool is_stopped =
-      run_members(layouts, options, start, printer, has_progress, *group, communicator, failures);
+  const bool is_stopped = StreamRuns(layouts, options, start, printer, has_progress, communicator, failures)
+                              .run(schedule, *group);
   report(printer, layouts.size(), is_stopped, communicator);
   return static_cast<int>(ExitStatus::fine);
 }

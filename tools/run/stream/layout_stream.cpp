@@ -1,4 +1,4 @@
-#include "layout_stream.hpp"
+#include "stream/layout_stream.hpp"
 
 #include "beadswim/core/error.hpp"
 

@@ -1,0 +1,111 @@
+#include "stream/stream_plan.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/documents/failure_document.hpp"
+#include "beadswim/documents/study_text.hpp"
+#include "beadswim/plan/percent.hpp"
+#include "one_run.hpp"
+#include "planning/plan_flags.hpp"
+#include "planning/plan_report.hpp"
+
+namespace beadswim {
+namespace {
+
+/// The plan of one layout as text, and the cost of its cheapest run.
+struct MemberPlan {
+  std::string document;  ///< line of JSON
+  std::string row;       ///< row of the table
+  PlannedRun choice;     ///< without flags and cost if there is none
+  bool has_choice = false;
+};
+
+/// Collective for the group.
+MemberPlan plan_member(const StreamMember& member, const RunOptions& options, const Communicator& group) {
+  const LayoutDocument document = layout_of(member);
+  MemberPlan made;
+  const auto refuse = [&](const std::string& reason) {
+    made.row = fmt::format("{:>8}  {}\n", member.number, reason);
+  };
+  try {
+    const RunPlan plan = plan_run(document.layout, plan_request(options, group), member.source, group);
+    Json json = plan_to_json(plan, options, group);
+    if (!document.study.is_null()) json["study"] = document.study;
+    made.document = dump_json_line(json);
+    made.has_choice = plan.choice.has_value();
+    if (made.has_choice) {
+      made.choice = plan.runs[*plan.choice];
+      made.row = fmt::format("{:>8}{}", member.number,
+                             plan_row(made.choice, options, group, study_text(document.study, 4)));
+    } else if (plan.best) {
+      const PlannedRun& best = plan.runs[*plan.best];
+      refuse(fmt::format("no run within {}; smallest error: {}, {}", in_percent(plan.tolerance),
+                         flags_of(best, options), in_percent(best.error.largest())));
+    } else {
+      refuse("no model can run this layout; see \"refused\" in its plan");
+    }
+  } catch (const InputError& error) {
+    refuse(error.what());
+    made.document = failure_line(
+        {.program = program_name, .member = member.number, .reason = error.what(), .study = document.study});
+  }
+  return made;
+}
+
+/// Returns the texts of all ranks, one after the other, on rank 0. Collective.
+std::string gather_text(const std::string& own, const Communicator& communicator) {
+  const std::vector<char> all = gather_bytes({own.begin(), own.end()}, communicator);
+  return {all.begin(), all.end()};
+}
+
+}  // namespace
+
+void plan_stream(const StoredLayouts& layouts, const RunOptions& options, const Communicator& communicator) {
+  const StreamSchedule schedule = schedule_of(layouts, options, communicator);
+  const std::unique_ptr<Communicator> group = group_of(schedule, communicator);
+  const int groups = schedule.groups(communicator);
+  const int own_group = std::min(communicator.rank() / schedule.ranks_per_run, groups - 1);
+  RunOptions settings = options;
+  settings.layouts = {"-"};  // of the commands that a plan proposes: they take one layout
+  const bool prints = communicator.is_root();
+  if (prints) print_to_stderr(fmt::format("{:>8}\n{}", "layout", plan_head("        ")));
+  PlannedRun sum;
+  int chosen = 0;
+  for (int first = 1; first <= layouts.size(); first += groups) {
+    MemberPlan made;
+    if (const int number = first + own_group; number <= layouts.size())
+      made = plan_member(layouts.member(number), settings, *group);
+    if (!group->is_root()) made = {};
+    const std::string documents = gather_text(made.document, communicator);
+    const std::string rows = gather_text(made.row, communicator);
+    if (prints) {
+      write_text("-", documents);
+      print_to_stderr(rows);
+    }
+    chosen += made.has_choice;
+    sum.core_seconds += made.choice.core_seconds;
+    sum.output_bytes += made.choice.output_bytes;
+    sum.memory_bytes = std::max(sum.memory_bytes, made.choice.memory_bytes);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &chosen, 1, MPI_INT, MPI_SUM, communicator.get());
+  std::array<double, 2> sums{sum.core_seconds, sum.output_bytes};
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, communicator.get());
+  MPI_Allreduce(MPI_IN_PLACE, &sum.memory_bytes, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
+  if (prints)
+    print_to_stderr(fmt::format(
+        "all: {} of {} layouts have a run within the tolerance; together {:.3g} core-seconds, {:.3g} s on {} "
+        "ranks, {} of output, at most {} of memory at a time for each\n",
+        chosen, layouts.size(), sums[0], sums[0] / communicator.size(), communicator.size(),
+        size_text(sums[1]), size_text(sum.memory_bytes)));
+  if (chosen < layouts.size())
+    throw RunFailed(
+        fmt::format("{} of {} layouts have no run within the tolerance: see the keys \"best\" and "
+                    "\"reason\" of the lines",
+                    layouts.size() - chosen, layouts.size()));
+}
+
+}  // namespace beadswim

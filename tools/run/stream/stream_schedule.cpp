@@ -1,0 +1,95 @@
+#include "stream/stream_schedule.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/coupling/lattice_memory.hpp"
+#include "beadswim/coupling/refinement.hpp"
+#include "beadswim/coupling/scene_on_lattice.hpp"
+#include "beadswim/plan/reason_against.hpp"
+#include "beadswim/plan/run_length.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Returns the number of ranks of a group for this number of layouts.
+int smallest_group(std::size_t layouts, const Communicator& communicator) {
+  return std::max(1, communicator.size() / std::max(1, static_cast<int>(layouts)));
+}
+
+/// Memory [byte] and work [updates of cells] of a run on the lattice.
+struct LatticeSize {
+  double bytes = 0, updates = 0;
+};
+
+/// Returns 0 for a layout that the lattice refuses.
+LatticeSize lattice_size(const StreamMember& member, const RunSettings& settings) {
+  LatticeSize size;
+  reason_against([&] {
+    const SceneOnLattice on_lattice =
+        put_on_lattice(layout_of(member).layout, settings.lattice, member.source);
+    const long steps = total_steps(settings.cycles, on_lattice.lattice.steps_per_period);
+    size = {.bytes = lattice_bytes(on_lattice.scene),
+            .updates = updates_per_step(on_lattice.scene.all_levels()) * static_cast<double>(steps)};
+  });
+  return size;
+}
+
+/// Moves the large lattices from `side_by_side` to `on_all_ranks`. `bytes_of_rank`: memory that each rank may
+/// use.
+void move_large(StreamSchedule& schedule, const std::vector<LatticeSize>& sizes, double bytes_of_rank,
+                int groups) {
+  constexpr double max_share = 1.25;  // of a small lattice, in the mean work of a group
+  const double work = std::transform_reduce(sizes.begin(), sizes.end(), 0.0, std::plus(),
+                                            [](const LatticeSize& size) { return size.updates; });
+  const auto is_small = [&](int number) {
+    const LatticeSize& size = sizes[number - 1];
+    return size.bytes <= bytes_of_rank * schedule.ranks_per_run && size.updates <= max_share * work / groups;
+  };
+  std::vector<int>& numbers = schedule.side_by_side;
+  const auto first_large = std::stable_partition(numbers.begin(), numbers.end(), is_small);
+  schedule.on_all_ranks.assign(first_large, numbers.end());
+  numbers.erase(first_large, numbers.end());
+}
+
+}  // namespace
+
+StreamSchedule schedule_of(const StoredLayouts& layouts, const RunOptions& options,
+                           const Communicator& communicator) {
+  StreamSchedule schedule;
+  schedule.side_by_side.resize(layouts.size());
+  std::iota(schedule.side_by_side.begin(), schedule.side_by_side.end(), 1);
+  if (options.ranks_per_run) {
+    schedule.ranks_per_run = *options.ranks_per_run;
+    if (schedule.ranks_per_run <= communicator.size()) return schedule;
+    throw InputError("--ranks-per-run", fmt::format("{} is more than the {} ranks of this program; give a "
+                                                    "smaller number, or more ranks with mpirun -n",
+                                                    schedule.ranks_per_run, communicator.size()));
+  }
+  schedule.ranks_per_run = smallest_group(schedule.side_by_side.size(), communicator);
+  if (options.settings.model != RunModel::lbm || schedule.groups(communicator) == 1) return schedule;
+  double bytes_of_rank = installed_bytes() / count_ranks_on_node(communicator);
+  MPI_Allreduce(MPI_IN_PLACE, &bytes_of_rank, 1, MPI_DOUBLE, MPI_MIN, communicator.get());
+  std::vector<LatticeSize> sizes(layouts.size());
+  for (int number = 1 + communicator.rank(); number <= layouts.size(); number += communicator.size())
+    sizes[number - 1] = lattice_size(layouts.member(number), options.settings);
+  MPI_Allreduce(MPI_IN_PLACE, sizes.data(), 2 * layouts.size(), MPI_DOUBLE, MPI_SUM, communicator.get());
+  move_large(schedule, sizes, bytes_of_rank, schedule.groups(communicator));
+  schedule.ranks_per_run = smallest_group(schedule.side_by_side.size(), communicator);
+  return schedule;
+}
+
+std::unique_ptr<Communicator> group_of(const StreamSchedule& schedule, const Communicator& communicator) {
+  const int last = schedule.groups(communicator) - 1;
+  MPI_Comm own = MPI_COMM_NULL;
+  MPI_Comm_split(communicator.get(), std::min(communicator.rank() / schedule.ranks_per_run, last),
+                 communicator.rank(), &own);
+  auto group = std::make_unique<Communicator>(own);
+  MPI_Comm_free(&own);
+  return group;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "stream/layout_stream.hpp"
+
+// Distribution of the layouts of a stream over the ranks.
+
+namespace beadswim {
+
+/// Numbers of layouts, from 1, and the ranks that treat them.
+struct StreamSchedule {
+  std::vector<int> side_by_side;  ///< treated at the same time, each by a group of ranks
+  std::vector<int> on_all_ranks;  ///< large lattices, treated afterwards, one after the other
+  int ranks_per_run = 1;          ///< ranks of a group
+
+  int groups(const Communicator& communicator) const { return communicator.size() / ranks_per_run; }
+};
+
+/// Returns the schedule of the flag --ranks-per-run, which gives all layouts to groups. By default, groups
+/// are as small as keep all ranks busy. A lattice is large then if its group has too little memory for it, or
+/// if its work exceeds the share of a group in the work on all lattices by a quarter. Throws InputError on all
+/// ranks. Collective.
+StreamSchedule schedule_of(const StoredLayouts& layouts, const RunOptions& options,
+                           const Communicator& communicator);
+
+/// Returns the communicator of the ranks of this rank's group. Collective.
+std::unique_ptr<Communicator> group_of(const StreamSchedule& schedule, const Communicator& communicator);
+
+}  // namespace beadswim
