@@ -209,8 +209,8 @@ void StreamProgress::update(double done, int before) {
   const double own = done - before;
   const std::string left =
       own > 0 ? fmt::format(", about {:.0f} s left", seconds / own * (count_ - done)) : "";
-  print_to_stderr(fmt::format("{}: {:.0f} of {} {} done ({:.0f} %){}\n", program_, std::floor(done), count_,
-                              what_, 100 * done / count_, left));
+  const std::string parts = fmt::format("{:.{}f}", done, done == std::floor(done) ? 0 : 1);
+  print_to_stderr(fmt::format("{}: {} of {} {} done{}\n", program_, parts, count_, what_, left));
 }
 
 }  // namespace beadswim

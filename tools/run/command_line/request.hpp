@@ -18,7 +18,7 @@ struct Request {
   std::unique_ptr<CheckpointReader> checkpoint;  ///< nullptr: the run begins at time 0
   long steps_done = 0;                           ///< number of time steps before the checkpoint
 
-  std::string name;  ///< name of the layout of a stream, for messages; empty for one layout
+  std::string name;        ///< name of the layout of a stream, for messages; empty for one layout
   TakeShare take_share{};  ///< of a run of a stream: for the progress of the stream
 
   /// Returns the name of the layout in messages.
