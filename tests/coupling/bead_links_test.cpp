@@ -141,8 +141,7 @@ struct Scene {
 };
 
 /// Returns the links of a segment with the local coordinates of their covered cells.
-std::vector<Link> links_of(BeadLinks& links, std::size_t segment, const Coverage& coverage) {
-  const LinkSegment& at = links.segments()[segment];
+std::vector<Link> links_of(BeadLinks& links, const LinkSegment& at, const Coverage& coverage) {
   const Index3& low = coverage.images().images[at.image].image.low;
   std::vector<Link> found;
   for (const BeadLink& link : links.links(at)) {
@@ -176,7 +175,8 @@ TEST_P(BeadLinksIn, AreAllLinksBetweenCoveredAndFluidCells) {
   for_each_scene([](Scene& scene) {
     std::multiset<Link> found;
     for (std::size_t s = 0; s < scene.links.segments().size(); ++s) {
-      for (const Link& link : links_of(scene.links, s, scene.coverage)) found.insert(link);
+      for (const Link& link : links_of(scene.links, scene.links.segments()[s], scene.coverage))
+        found.insert(link);
     }
     const std::set<Link> expected = links_by_search(scene.beads, scene.shape, scene.links.scheme());
     EXPECT_EQ(found, std::multiset<Link>(expected.begin(), expected.end()));
@@ -200,43 +200,60 @@ TEST_P(BeadLinksIn, OfBeadsThatMovedAreThoseFoundAnew) {
       anew.find(scene.coverage);
       ASSERT_EQ(scene.links.segments().size(), anew.segments().size()) << step;
       for (std::size_t s = 0; s < anew.segments().size(); ++s) {
-        ASSERT_EQ(links_of(scene.links, s, scene.coverage), links_of(anew, s, scene.coverage)) << step;
+        ASSERT_EQ(links_of(scene.links, scene.links.segments()[s], scene.coverage),
+                  links_of(anew, anew.segments()[s], scene.coverage))
+            << step;
       }
     }
   });
 }
 
-// What lets links be done row by row: none comes after the sweep of a row that it reads from or writes to, or
-// before messages for the halo across z have arrived.
-TEST_P(BeadLinksIn, ComeBeforeTheSweepOfTheirRows) {
+// What lets links be done plane by plane: none comes after the sweep of a row that it reads from or writes
+// to, or before messages for the halo across z have arrived.
+TEST_P(BeadLinksIn, ComeBeforeTheSweepOfTheirPlanes) {
   for_each_scene([](Scene& scene) {
     const Index3& n = scene.at.block.size;
     std::set<std::pair<int, int>> swept;
     for (int k = 0; k < n[2]; ++k) {
       const int z = plane_in_order(k, n[2]);
       const bool halo_is_filled = k >= first_outer_plane(n[2]);
-      for (int y = 0; y < n[1]; ++y) {
-        for (int s = scene.links.first_segment_of(y, z); s < scene.links.end_segment_of(y, z); ++s) {
-          for (const auto& [link_x, link_y, link_z, out, own, behind] :
-               links_of(scene.links, s, scene.coverage)) {
-            const auto& c = d3q19::velocity[out];
-            const bool is_mr = scene.links.scheme() == BeadScheme::mr;  // has all of its halo from the start
-            for (int m = 0; m <= behind + 1; ++m) {
-              const int row_y = link_y + m * c[1], row_z = link_z + m * c[2];
-              EXPECT_FALSE(swept.contains({row_y, row_z}));
-              EXPECT_TRUE(is_mr || halo_is_filled || (row_z >= 0 && row_z < n[2]));
-            }
-            if (!is_mr || !own) continue;
-            for (int i = 0; i < d3q19::directions; ++i) {  // all that leaves the fluid cell
-              const auto& d = d3q19::velocity[i];
-              EXPECT_FALSE(swept.contains({link_y + c[1] + d[1], link_z + c[2] + d[2]}));
-            }
+      for (const LinkSegment& segment : scene.links.segments_before(z)) {
+        for (const auto& [link_x, link_y, link_z, out, own, behind] :
+             links_of(scene.links, segment, scene.coverage)) {
+          const auto& c = d3q19::velocity[out];
+          const bool is_mr = scene.links.scheme() == BeadScheme::mr;  // has all of its halo from the start
+          for (int m = 0; m <= behind + 1; ++m) {
+            const int row_y = link_y + m * c[1], row_z = link_z + m * c[2];
+            EXPECT_FALSE(swept.contains({row_y, row_z}));
+            EXPECT_TRUE(is_mr || halo_is_filled || (row_z >= 0 && row_z < n[2]));
+          }
+          if (!is_mr || !own) continue;
+          for (int i = 0; i < d3q19::directions; ++i) {  // all that leaves the fluid cell
+            const auto& d = d3q19::velocity[i];
+            EXPECT_FALSE(swept.contains({link_y + c[1] + d[1], link_z + c[2] + d[2]}));
           }
         }
-        swept.insert({y, z});
       }
+      for (int y = 0; y < n[1]; ++y) swept.insert({y, z});
     }
     EXPECT_EQ(std::ssize(swept), n[1] * n[2]);
+  });
+}
+
+// The momentum of a fluid cell is evaluated once for links that follow each other, and one address per
+// segment.
+TEST_P(BeadLinksIn, OfASegmentHaveTheirFluidCellsInOneRowInOrder) {
+  for_each_scene([](Scene& scene) {
+    for (const LinkSegment& segment : scene.links.segments()) {
+      std::vector<std::array<int, 3>> cells;  // z, y, x
+      for (const auto& [x, y, z, out, own, behind] : links_of(scene.links, segment, scene.coverage)) {
+        const auto& c = d3q19::velocity[out];
+        cells.push_back({z + c[2], y + c[1], x + c[0]});
+      }
+      ASSERT_TRUE(std::ranges::is_sorted(cells));
+      ASSERT_EQ(cells.front()[0], cells.back()[0]);
+      ASSERT_EQ(cells.front()[1], cells.back()[1]);
+    }
   });
 }
 

@@ -51,7 +51,7 @@ class FixedSphere {
     for (int z = 0; z < fluid.populations.size()[2]; ++z) {
       for (int y = 0; y < fluid.populations.size()[1]; ++y) {
         if (has_links(links.scheme())) {
-          boundary.bounce_back_before_row(fluid.populations, y, z);
+          if (y == 0) boundary.bounce_back_before_plane(fluid.populations, z);
         } else {
           saturated.apply_forces_before_row(fluid.populations, y, z);
         }

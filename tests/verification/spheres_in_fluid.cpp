@@ -133,7 +133,7 @@ std::vector<Load> SpheresInFluid::step() {
     const int z = plane_in_order(n, cells_[2]);
     for (int y = 0; y < cells_[1]; ++y) {
       if (has_links(links_.scheme())) {
-        boundary.bounce_back_before_row(populations_, y, z);
+        if (y == 0) boundary.bounce_back_before_plane(populations_, z);
       } else {
         push_row(y, z);
       }

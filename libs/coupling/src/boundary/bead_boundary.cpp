@@ -7,6 +7,7 @@
 #include "beadswim/coupling/moving_bounce_back.hpp"
 #include "beadswim/coupling/multireflection.hpp"
 #include "beadswim/coupling/refill.hpp"
+#include "beadswim/lattice/moments.hpp"
 #include "link_kernel.hpp"
 
 namespace beadswim {
@@ -34,126 +35,202 @@ void fill_lanes(LinkBatch& batch) {
   }
 }
 
-/// For one direction i: all directions j with c_i.c_j != 0, and the values c_i.c_j.
-struct Projections {
-  int count = 0;
-  std::array<int, 14> direction{};
-  std::array<double, 14> value{};
-};
-constexpr auto projections_on_directions = [] {
-  std::array<Projections, d3q19::directions> table{};
-  for (int i = 0; i < d3q19::directions; ++i) {
-    for (int j = 0; j < d3q19::directions; ++j) {
-      const auto &a = d3q19::velocity[i], &b = d3q19::velocity[j];
-      const int value = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-      if (value == 0) continue;
-      Projections& projections = table[i];
-      projections.direction[projections.count] = j;
-      projections.value[projections.count++] = value;
-    }
-  }
-  return table;
-}();
+/// Prefetches to the second level of the cache. The first level can wait for few lines at a time.
+inline void prefetch(const void* address) {
+  __builtin_prefetch(address, 0, 2);
+}
 
-/// Collects links of one image of a bead in batches and passes the batches to the link kernel.
+/// Links of one image of a bead that are reflected together, and the addresses of their populations.
+template <class Real>
+struct AddressedLinks {
+  static constexpr int max_links = LinkBatch::max_links;
+
+  const CoveredImage* covered = nullptr;
+  LinkBatch batch;
+  std::array<BeadLink*, max_links> links;
+  std::array<std::ptrdiff_t, max_links> fluid_cell;
+  std::array<Real*, max_links> incoming;
+  std::array<const Real*, max_links> outgoing, behind, arrived, two_behind, arrived_behind;
+};
+
+/// Collects links in batches and passes the batches to the link kernel. A batch is reflected when the next
+/// one is complete, so that prefetched populations have arrived.
 template <class Real>
 class LinkReflection {
  public:
-  LinkReflection(BeadBoundary& boundary, Populations& populations)
-      : boundary_(boundary), populations_(populations) {}
+  LinkReflection(BeadBoundary& boundary, Populations& populations) : boundary_(boundary) {
+    for (int out = 0; out < d3q19::directions; ++out) {
+      const auto& c = d3q19::velocity[out];
+      directions_[out] = {.c = {c[0], c[1], c[2]},
+                          .velocity = {double(c[0]), double(c[1]), double(c[2])},
+                          .weight = d3q19::weight(out),
+                          .behind = populations.shift(out),
+                          .outgoing = populations.outgoing_row<Real>(d3q19::opposite(out), 0),
+                          .incoming = populations.incoming_row<Real>(out, 0)};
+      arrived_[out] = populations.outgoing_row<Real>(out, 0);
+    }
+  }
 
+  /// Adds links of fluid cells in one row.
   void add(std::span<BeadLink> links, const CoveredImage& covered) {
-    if (covered_ != &covered) flush();
-    covered_ = &covered;
+    if (next_->covered != &covered) begin_batch();
+    const Index3 low = covered.image.low;
+    const auto& c = d3q19::velocity[links.front().out];
+    const int y = low[1] + links.front().from_low[1] + c[1], z = low[2] + links.front().from_low[2] + c[2];
+    FluidRow row{.first = boundary_.coverage.cell(0, y, z), .low_x = low[0]};
+    for (int step = 0; step < 3; ++step) {
+      const Vec3 covered_cell = covered.from_centre(0, y + 1 - step, z + 1 - step);
+      row.y[step] = covered_cell[1], row.z[step] = covered_cell[2];
+    }
     for (BeadLink& link : links) {
-      if (batch_.links == LinkBatch::max_links) flush();
-      add(link);
+      if (next_->batch.links == LinkBatch::max_links) begin_batch();
+      next_->covered = &covered;
+      add(link, row);
     }
   }
 
   /// Reflects the populations at all links that were added since the last call.
-  void flush() {
-    if (batch_.links == 0) return;
-    fetch();
-    fill_lanes(batch_);
-    LinkSums& sums = boundary_.sums[covered_->bead];
-    sums.reserve_terms(LinkBatch::max_links / LinkSums::lanes);
-    const LinkBead bead = link_bead(boundary_.beads[covered_->bead], slip_);
-    if (!link_kernels().reflect<Real>(boundary_.links.scheme(), batch_, bead, sums))
-      add_one_by_one(batch_, batch_.links, sums, boundary_.beads[covered_->bead]);
-    for (int k = 0; k < batch_.links; ++k) *incoming_[k] = static_cast<Real>(batch_.returned[k]);
-    batch_.links = 0;
+  void finish() {
+    begin_batch();
+    begin_batch();
   }
 
  private:
-  void add(BeadLink& link) {
-    const Index3& low = covered_->image.low;
-    const int x = low[0] + link.from_low[0], y = low[1] + link.from_low[1], z = low[2] + link.from_low[2];
-    const int out = link.out, in = d3q19::opposite(out);
-    const std::ptrdiff_t fluid_cell = boundary_.coverage.cell(x, y, z) + populations_.shift(out);
-    const Real* outgoing = populations_.outgoing_row<Real>(in, fluid_cell);
+  /// Reflects the batch before the present one, and begins a new one.
+  void begin_batch() {
+    if (next_->batch.links > 0 || last_->batch.links > 0) {
+      reflect(*last_);
+      std::swap(last_, next_);
+    }
+  }
+
+  void reflect(AddressedLinks<Real>& at) {
+    LinkBatch& batch = at.batch;
+    if (batch.links == 0) return;
+    fetch(at);
+    fill_lanes(batch);
+    LinkSums& sums = boundary_.sums[at.covered->bead];
+    sums.reserve_terms(LinkBatch::max_links / LinkSums::lanes);
+    const LinkBead bead = link_bead(boundary_.beads[at.covered->bead], slip_);
+    if (!link_kernels().reflect<Real>(boundary_.links.scheme(), batch, bead, sums))
+      add_one_by_one(batch, batch.links, sums, boundary_.beads[at.covered->bead]);
+    for (int k = 0; k < batch.links; ++k) *at.incoming[k] = static_cast<Real>(batch.returned[k]);
+    batch.links = 0;
+  }
+
+  /// Row of the fluid cells of some links.
+  struct FluidRow {
+    std::ptrdiff_t first;  ///< cell at x = 0
+    int low_x;             ///< BeadImage::low of the image
+    /// Coordinates of covered cells relative to the bead centre, by c + 1 for the component c of the
+    /// direction.
+    double y[3] = {}, z[3] = {};
+  };
+
+  void add(BeadLink& link, const FluidRow& row) {
+    const int out = link.out;
+    const Direction& along = directions_[out];
+    const int x = row.low_x + link.from_low[0];
+    const std::ptrdiff_t fluid_cell = row.first + x + along.c[0];
+    const Real* outgoing = along.outgoing + fluid_cell;
     if (!link.fluid_is_own) {  // the rank that owns the fluid cell reflects
       link.outgoing = static_cast<double>(*outgoing);
       return;
     }
-    const int k = batch_.links++;
-    links_[k] = &link;
-    outgoing_[k] = outgoing;
-    incoming_[k] = populations_.incoming_row<Real>(out, fluid_cell);
-    const Vec3 from_centre = covered_->from_centre(x, y, z);
-    batch_.x[k] = from_centre[0], batch_.y[k] = from_centre[1], batch_.z[k] = from_centre[2];
-    const auto& c = d3q19::velocity[out];
-    batch_.cx[k] = c[0], batch_.cy[k] = c[1], batch_.cz[k] = c[2];
-    batch_.weight[k] = d3q19::weight(out);
+    AddressedLinks<Real>& at = *next_;
+    LinkBatch& batch = at.batch;
+    const int k = batch.links++;
+    at.links[k] = &link;
+    at.fluid_cell[k] = fluid_cell;
+    at.outgoing[k] = outgoing;
+    at.incoming[k] = along.incoming + fluid_cell;
+    batch.x[k] = at.covered->from_centre(x, 0, 0)[0];
+    batch.y[k] = row.y[along.c[1] + 1], batch.z[k] = row.z[along.c[2] + 1];
+    batch.cx[k] = along.velocity[0], batch.cy[k] = along.velocity[1], batch.cz[k] = along.velocity[2];
+    batch.weight[k] = along.weight;
+    if (cells_behind_ < 2) prefetch(outgoing);
     if (cells_behind_ == 0) return;
-    batch_.fluid_behind[k] = link.fluid_behind;
-    const std::ptrdiff_t behind =
-        link.fluid_behind > 0
-            ? boundary_.coverage.wrapped_along_x(fluid_cell + populations_.shift(out), x + 2 * c[0])
-            : fluid_cell;
-    behind_[k] = populations_.outgoing_row<Real>(in, behind);
-    arrived_[k] = populations_.outgoing_row<Real>(out, fluid_cell);
-    if (cells_behind_ == 1) return;
-    two_behind_[k] = link.fluid_behind > 1 ? populations_.incoming_row<Real>(in, behind) : outgoing;
-    arrived_behind_[k] = populations_.outgoing_row<Real>(out, behind);
-    batch_.speed[k] = link.fluid_behind > 1 ? momentum_along(in, fluid_cell) : 0;
-  }
-
-  /// Returns c_i.u, where u is the momentum of the cell.
-  double momentum_along(int i, std::ptrdiff_t cell) const {
-    const Projections& projections = projections_on_directions[i];
-    double sum = 0;
-    for (int n = 0; n < projections.count; ++n)
-      sum += projections.value[n] *
-             static_cast<double>(*populations_.outgoing_row<Real>(projections.direction[n], cell));
-    return sum;
+    batch.fluid_behind[k] = link.fluid_behind;
+    std::ptrdiff_t behind = link.fluid_behind > 0 ? along.behind : 0;
+    if (is_beyond_row(x + 2 * along.c[0]) && behind != 0)
+      behind = boundary_.coverage.wrapped_along_x(fluid_cell + behind, x + 2 * along.c[0]) - fluid_cell;
+    at.behind[k] = outgoing + behind;
+    at.arrived[k] = arrived_[out] + fluid_cell;
+    prefetch(at.behind[k]);
+    if (cells_behind_ == 1) {
+      prefetch(at.arrived[k]);
+      return;
+    }
+    at.two_behind[k] = link.fluid_behind > 1 ? at.behind[k] + along.behind : outgoing;
+    at.arrived_behind[k] = at.arrived[k] + behind;
+    prefetch(at.two_behind[k]);
+    prefetch(at.arrived_behind[k]);
+    if (fluid_cell == prefetched_cell_) return;
+    prefetched_cell_ = fluid_cell;
+#pragma GCC unroll 19
+    for (const Real* row : arrived_) prefetch(row + fluid_cell);
   }
 
   /// Reads the populations that the links need. One short loop per array allows many memory accesses at the
   /// same time.
-  void fetch() {
-    for (int k = 0; k < batch_.links; ++k) batch_.outgoing[k] = static_cast<double>(*outgoing_[k]);
+  void fetch(AddressedLinks<Real>& at) const {
+    LinkBatch& batch = at.batch;
+    const auto read = [&](const std::array<const Real*, LinkBatch::max_links>& from, double* to) {
+      for (int k = 0; k < batch.links; ++k) to[k] = static_cast<double>(*from[k]);
+    };
+    read(at.outgoing, batch.outgoing);
     if (cells_behind_ >= 1) {
-      for (int k = 0; k < batch_.links; ++k) batch_.behind[k] = static_cast<double>(*behind_[k]);
-      for (int k = 0; k < batch_.links; ++k) batch_.arrived[k] = static_cast<double>(*arrived_[k]);
+      read(at.behind, batch.behind);
+      read(at.arrived, batch.arrived);
     }
     if (cells_behind_ >= 2) {
-      for (int k = 0; k < batch_.links; ++k) batch_.two_behind[k] = static_cast<double>(*two_behind_[k]);
-      for (int k = 0; k < batch_.links; ++k)
-        batch_.arrived_behind[k] = static_cast<double>(*arrived_behind_[k]);
+      read(at.two_behind, batch.two_behind);
+      read(at.arrived_behind, batch.arrived_behind);
+      find_speeds(at);
     }
-    for (int k = 0; k < batch_.links; ++k) links_[k]->outgoing = batch_.outgoing[k];
+    for (int k = 0; k < batch.links; ++k) at.links[k]->outgoing = batch.outgoing[k];
+  }
+
+  /// Evaluates the momentum of each fluid cell along its links, which follow each other.
+  void find_speeds(AddressedLinks<Real>& at) const {
+    LinkBatch& batch = at.batch;
+    std::ptrdiff_t cell = -1;
+    double u[3] = {};
+    for (int k = 0; k < batch.links; ++k) {
+      if (at.fluid_cell[k] != cell) {
+        cell = at.fluid_cell[k];
+        double f[d3q19::directions], density_deviation;
+#pragma GCC unroll 19
+        for (int i = 0; i < d3q19::directions; ++i) f[i] = static_cast<double>(arrived_[i][cell]);
+        moments_of(f, density_deviation, u);
+      }
+      batch.speed[k] = -(batch.cx[k] * u[0] + batch.cy[k] * u[1] + batch.cz[k] * u[2]);
+    }
+  }
+
+  /// A direction from covered to fluid cells. Addresses are those of the cell with index 0.
+  struct Direction {
+    int c[3];
+    double velocity[3];  ///< c
+    double weight;
+    std::ptrdiff_t behind;  ///< from the fluid cell to the cell behind it
+    const Real* outgoing;   ///< population from the fluid cell into the bead
+    Real* incoming;         ///< reflected population
+  };
+
+  bool is_beyond_row(int x) const {
+    return x < 0 || x >= cells_of_row_;
   }
 
   BeadBoundary& boundary_;
-  Populations& populations_;
+  const int cells_of_row_ = boundary_.coverage.block_size()[0];
+  std::array<Direction, d3q19::directions> directions_;
+  std::array<const Real*, d3q19::directions> arrived_;  ///< outgoing populations of the cell with index 0
   const int cells_behind_ = cells_behind(boundary_.links.scheme());
   const double slip_ = multireflection_slip(boundary_.rates);
-  const CoveredImage* covered_ = nullptr;
-  LinkBatch batch_;
-  std::array<BeadLink*, LinkBatch::max_links> links_;
-  std::array<Real*, LinkBatch::max_links> incoming_;
-  std::array<const Real*, LinkBatch::max_links> outgoing_, behind_, arrived_, two_behind_, arrived_behind_;
+  std::ptrdiff_t prefetched_cell_ = -1;
+  AddressedLinks<Real> first_, second_;
+  AddressedLinks<Real>*last_ = &first_, *next_ = &second_;
 };
 
 /// Refills an uncovered cell (refill.hpp) from the populations that streamed into it along the links that
@@ -185,15 +262,14 @@ void refill(Populations& populations, const ChangedCell& cell, const BeadLinks& 
 
 }  // namespace
 
-void BeadBoundary::bounce_back_before_row(Populations& populations, int y, int z) {
-  const int first = links.first_segment_of(y, z), end = links.end_segment_of(y, z);
-  if (first == end) return;
+void BeadBoundary::bounce_back_before_plane(Populations& populations, int z) {
+  const std::span<const LinkSegment> segments = links.segments_before(z);
+  if (segments.empty()) return;
   in_precision(populations.precision(), [&]<class Real>() {
-    LinkReflection<Real> bounce(*this, populations);
-    for (const LinkSegment& segment : links.segments().subspan(first, end - first)) {
-      bounce.add(links.links(segment), coverage.images().images[segment.image]);
-    }
-    bounce.flush();
+    LinkReflection<Real> reflection(*this, populations);
+    for (const LinkSegment& segment : segments)
+      reflection.add(links.links(segment), coverage.images().images[segment.image]);
+    reflection.finish();
   });
 }
 

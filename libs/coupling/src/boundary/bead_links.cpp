@@ -98,7 +98,7 @@ void BeadLinks::find(const Coverage& coverage) {
   const std::vector<bool> alone = images_alone(coverage, 1 + cells_behind(scheme_));
   images_.resize(images.size());
   for (std::size_t i = 0; i < images.size(); ++i) find_of_image(coverage, images[i], alone[i], images_[i]);
-  sort_by_row();
+  sort_by_plane();
 }
 
 void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& covered, bool is_alone,
@@ -113,101 +113,79 @@ void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& cove
 
   found_.clear();
   first_found_.clear();
+  plane_found_.clear();
   LinkFinder finder{.coverage = coverage,
                     .covered = covered,
                     .is_alone = is_alone,
                     .cells_behind = cells_behind(scheme_),
                     .links = found_};
-  const auto begin_segment = [&] { first_found_.push_back(static_cast<int>(found_.size())); };
   const BeadImage& box = covered.image;
-  for (int z = box.low[2] - 1; z < box.high[2]; ++z) {
+  for (int z = box.low[2] - 1; z <= box.high[2]; ++z) {
     for (int y = box.low[1] - 1; y <= box.high[1]; ++y) {
-      const bool kept = keep && !changed(y, z) && std::ranges::none_of(later_rows, [&](const auto& later) {
-                          return changed(y + later[0], z + later[1]);
+      const std::size_t first = found_.size();
+      first_found_.push_back(static_cast<int>(first));
+      const bool kept = keep && std::ranges::none_of(steps_to_rows, [&](const auto& step) {
+                          return changed(y + step[0], z + step[1]);
                         });
       if (kept) {
-        for (const int downwards : {0, 1}) {
-          begin_segment();
-          const int segment = known.segment(y, z, downwards);
-          found_.insert(found_.end(), known.links.begin() + known.first_of_segment[segment],
-                        known.links.begin() + known.first_of_segment[segment + 1]);
-        }
+        const int segment = known.segment(y, z);
+        found_.insert(found_.end(), known.links.begin() + known.first_of_segment[segment],
+                      known.links.begin() + known.first_of_segment[segment + 1]);
+        plane_found_.push_back(known.plane_of_segment[segment]);
         continue;
       }
-      begin_segment();
-      finder.add(y, z, 0, 0);
-      for (const auto& [dy, dz] : later_rows) finder.add(y, z, dy, dz);
-      begin_segment();
-      for (const auto& [dy, dz] : later_rows) finder.add(y + dy, z + dz, -dy, -dz);
+      for (const auto& [cy, cz] : steps_to_rows) finder.add(y - cy, z - cz, cy, cz);
+      const std::span links(found_.begin() + first, found_.end());
+      std::ranges::stable_sort(
+          links, {}, [](const BeadLink& link) { return link.from_low[0] + d3q19::velocity[link.out][0]; });
+      plane_found_.push_back(plane_before(z, links));
     }
   }
-  begin_segment();
-
-  if (known.place_of_segment.empty() || !same_box(known.box, covered.image)) {
-    known.place_of_segment.clear();
-    for (int z = box.low[2] - 1; z < box.high[2]; ++z) {
-      for (int y = box.low[1] - 1; y <= box.high[1]; ++y) {
-        for (const int downwards : {0, 1})
-          known.place_of_segment.push_back(place_of_segment(y, z, downwards));
-      }
-    }
-  }
+  first_found_.push_back(static_cast<int>(found_.size()));
   known.box = covered.image;
   known.is_alone = is_alone;
   known.runs.assign(runs.begin(), runs.end());
   known.first_of_segment = first_found_;
+  known.plane_of_segment = plane_found_;
   known.links.assign(found_.begin(), found_.end());
 }
 
-/// Returns place_of_row() of the row, among all rows whose populations the links of a segment read or write,
-/// that the step sweeps first.
-int BeadLinks::place_of_segment(int y, int z, int downwards) const {
+/// Returns the number in the sweep order of the plane, among all planes whose populations the links of fluid
+/// cells in plane z read or write, that the step sweeps first.
+int BeadLinks::plane_before(int z, std::span<const BeadLink> links) const {
   int first = std::numeric_limits<int>::max();
-  const auto involve = [&](int row_y, int row_z) {
-    if (row_y < 0 || row_y >= block_[1] || row_z < 0 || row_z >= block_[2]) return;
-    first = std::min(first, place_of_row(row_y, row_z));
+  const auto involve = [&](int plane) {
+    if (plane >= 0 && plane < block_[2]) first = std::min(first, order_of_plane(plane, block_[2]));
   };
-  const auto involve_around = [&](int fluid_y, int fluid_z) {
-    for (int dz = -1; dz <= 1; ++dz) {
-      for (int dy = -1; dy <= 1; ++dy) involve(fluid_y + dy, fluid_z + dz);
-    }
-  };
-  const int behind = cells_behind(scheme_);
-  const bool reads_moments = scheme_ == BeadScheme::mr;
-  involve(y, z);
-  if (reads_moments) involve_around(y, z);
-  for (const auto& [dy, dz] : later_rows) {
-    involve(y + dy, z + dz);
-    if (reads_moments && downwards == 0) involve_around(y + dy, z + dz);
-    for (int m = 1; m <= behind; ++m) {
-      if (downwards == 0) involve(y + (1 + m) * dy, z + (1 + m) * dz);
-      if (downwards == 1) involve(y - m * dy, z - m * dz);
-    }
-  }
+  if (scheme_ == BeadScheme::mr)
+    for (const int dz : {-1, 0, 1}) involve(z + dz);
+  for (const BeadLink& link : links)
+    for (int m = -1; m <= cells_behind(scheme_); ++m) involve(z + m * d3q19::velocity[link.out][2]);
   return first;
 }
 
-/// Calls visit(segment, place_of_row() of its row) for all segments that have links.
+/// Calls visit(segment, number of its plane in the sweep order) for all segments that have links.
 template <class Visit>
 void BeadLinks::for_each_segment(Visit&& visit) const {
   for (int i = 0; i < std::ssize(images_); ++i) {
     const ImageLinks& image_links = images_[i];
-    for (std::size_t s = 0; s < image_links.place_of_segment.size(); ++s) {
+    for (std::size_t s = 0; s < image_links.plane_of_segment.size(); ++s) {
       const LinkSegment segment{
           .first = image_links.first_of_segment[s], .end = image_links.first_of_segment[s + 1], .image = i};
-      if (segment.first < segment.end) visit(segment, image_links.place_of_segment[s]);
+      if (segment.first < segment.end) visit(segment, image_links.plane_of_segment[s]);
     }
   }
 }
 
-/// Sorts the segments by row (counting sort).
-void BeadLinks::sort_by_row() {
-  first_of_row_.assign(block_[1] * block_[2] + 1, 0);
-  for_each_segment([&](const LinkSegment&, int place) { ++first_of_row_[place]; });
-  std::exclusive_scan(first_of_row_.begin(), first_of_row_.end(), first_of_row_.begin(), 0);
-  by_row_.resize(first_of_row_.back());
-  next_of_row_ = first_of_row_;
-  for_each_segment([&](const LinkSegment& segment, int place) { by_row_[next_of_row_[place]++] = segment; });
+/// Sorts the segments by plane (counting sort).
+void BeadLinks::sort_by_plane() {
+  first_of_plane_.assign(block_[2] + 1, 0);
+  for_each_segment([&](const LinkSegment&, int plane) { ++first_of_plane_[plane]; });
+  std::exclusive_scan(first_of_plane_.begin(), first_of_plane_.end(), first_of_plane_.begin(), 0);
+  by_plane_.resize(first_of_plane_.back());
+  next_of_plane_ = first_of_plane_;
+  for_each_segment(
+      [&](const LinkSegment& segment, int plane) { by_plane_[next_of_plane_[plane]++] = segment; });
 }
 
 }  // namespace beadswim

@@ -77,7 +77,8 @@ void CoupledSystem::step_fluid_with_links() {
   BeadBoundary boundary{
       .coverage = coverage_, .links = links_, .beads = beads_, .rates = fluid.rates, .sums = link_sums_};
   levels_.step(body_force_, [&](int y, int z) {
-    if_state_is_finite([&] { boundary.bounce_back_before_row(fluid.populations, y, z); });
+    if (y > 0) return;
+    if_state_is_finite([&] { boundary.bounce_back_before_plane(fluid.populations, z); });
   });
   if_state_is_finite([&] {
     transfer_impulses(link_sums_, beads_);

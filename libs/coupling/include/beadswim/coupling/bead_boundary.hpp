@@ -24,11 +24,11 @@ struct BeadBoundary {
   const RelaxationRates& rates;  ///< rates of the fluid
   std::vector<LinkSums>& sums;   ///< one per bead
 
-  /// Bounces populations back at all links that must be processed before row (y, z) of the block is swept
+  /// Bounces populations back at all links that must be processed before plane z of the block is swept
   /// (BeadLinks). Adds the impulses on the beads to `sums`. step_fluid() must call this function before each
-  /// row, in the order in which it sweeps the rows. The links then need only halo cells that are already
+  /// plane, in the order in which it sweeps the planes. The links then need only halo cells that are already
   /// filled.
-  void bounce_back_before_row(Populations& populations, int y, int z);
+  void bounce_back_before_plane(Populations& populations, int z);
 };
 
 /// Evaluates the returned mass: the fluid mass that each link of a bead returns to the fluid in one step,

@@ -36,12 +36,12 @@ constexpr HaloContent halo_content(BeadScheme scheme) {
   return cells_behind(scheme) > 1 ? HaloContent::behind : HaloContent::entering;
 }
 
-/// All links of a block, sorted by the row before which the step processes them.
+/// All links of a block, in segments. A segment contains the links of the fluid cells of one row.
 ///
 /// A link reads and writes incoming populations of its covered cell, of its fluid cell and of the cells
 /// behind that the scheme reads. The scheme mr also reads incoming populations of all cells around the fluid
-/// cell. The step processes a segment just before it sweeps the first row whose populations the segment uses.
-/// The populations that the segment loads into the cache are then used by the sweep.
+/// cell. The step processes a segment just before it sweeps the first plane whose populations the segment
+/// uses. The populations that the segment loads into the cache are then used by the sweep.
 ///
 /// A bead moves by a fraction of a cell per step. Most links therefore remain unchanged from one step to the
 /// next.
@@ -56,11 +56,13 @@ class BeadLinks {
   void find(const Coverage& coverage);
 
   /// Returns all segments in the order in which the step processes them.
-  std::span<const LinkSegment> segments() const { return by_row_; }
+  std::span<const LinkSegment> segments() const { return by_plane_; }
 
-  /// Return the range of segments that the step processes before it sweeps row (y, z) of the block.
-  int first_segment_of(int y, int z) const { return first_of_row_[place_of_row(y, z)]; }
-  int end_segment_of(int y, int z) const { return first_of_row_[place_of_row(y, z) + 1]; }
+  /// Returns the segments that the step processes before it sweeps plane z of the block.
+  std::span<const LinkSegment> segments_before(int z) const {
+    const int plane = order_of_plane(z, block_[2]), first = first_of_plane_[plane];
+    return segments().subspan(first, first_of_plane_[plane + 1] - first);
+  }
 
   std::span<BeadLink> links(const LinkSegment& segment) {
     return std::span(images_[segment.image].links).subspan(segment.first, segment.end - segment.first);
@@ -71,60 +73,52 @@ class BeadLinks {
   void for_each_link_of(int image, int x, int y, int z, Visit&& visit) const {
     const ImageLinks& image_links = images_[image];
     const Index3 cell = Index3(x, y, z) - image_links.box.low;
-    const auto visit_in = [&](int segment) {
+    for (const auto& [cy, cz] : steps_to_rows) {
+      const int segment = image_links.segment(y + cy, z + cz);
       for (int n = image_links.first_of_segment[segment]; n < image_links.first_of_segment[segment + 1];
            ++n) {
         const BeadLink& link = image_links.links[n];
         if (link.from_low[0] == cell[0] && link.from_low[1] == cell[1] && link.from_low[2] == cell[2])
           visit(link);
       }
-    };
-    visit_in(image_links.segment(y, z, 0));
-    for (const auto& [dy, dz] : later_rows) visit_in(image_links.segment(y - dy, z - dz, 1));
+    }
   }
 
  private:
-  /// Offsets (dy, dz) from a row to the adjacent rows that come later in the order of z, then y. Links can
-  /// join a cell of a row to cells of these rows.
-  static constexpr std::array<std::array<int, 2>, 4> later_rows{{{1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+  /// Steps (y, z) from a row to itself and to the rows that links can join with it.
+  static constexpr std::array<std::array<int, 2>, 9> steps_to_rows{
+      {{0, 0}, {-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
-  /// The links of one image, in two segments per row:
-  /// - Segment 0 (downwards = 0): links from covered cells of the row to fluid cells of the same row and of
-  ///   later rows.
-  /// - Segment 1 (downwards = 1): links from covered cells of later rows to fluid cells of the row.
-  ///
-  /// If the box of the image is [low, high), the rows have low_y - 1 <= y <= high_y and low_z - 1 <= z <
-  /// high_z.
+  /// The links of one image. A segment contains the links of all fluid cells of one row, in the order of x,
+  /// so that the links of a fluid cell follow each other. If the box of the image is [low, high), the rows
+  /// have low - 1 <= y, z <= high.
   struct ImageLinks {
     BeadImage box;
     bool is_alone = false;         ///< true if no other image and no wall can affect the links
     std::vector<CoveredRun> runs;  ///< covered cells of each row, from which the links were found
     /// Index of the first link of each segment. The last entry is the number of links.
     std::vector<int> first_of_segment;
-    /// Position in the sweep order, place_of_row(), of the row before which each segment is processed.
-    std::vector<int> place_of_segment;
+    /// Number in the sweep order, order_of_plane(), of the plane before which each segment is processed.
+    std::vector<int> plane_of_segment;
     std::vector<BeadLink> links;
 
     int rows_y() const { return box.high[1] - box.low[1] + 2; }
-    int segment(int y, int z, int downwards) const {
-      return 2 * (y - box.low[1] + 1 + rows_y() * (z - box.low[2] + 1)) + downwards;
-    }
+    int segment(int y, int z) const { return y - box.low[1] + 1 + rows_y() * (z - box.low[2] + 1); }
   };
 
   void find_of_image(const Coverage& coverage, const CoveredImage& covered, bool is_alone, ImageLinks& known);
-  int place_of_row(int y, int z) const { return y + block_[1] * order_of_plane(z, block_[2]); }
-  int place_of_segment(int y, int z, int downwards) const;
+  int plane_before(int z, std::span<const BeadLink> links) const;
   template <class Visit>
   void for_each_segment(Visit&& visit) const;
-  void sort_by_row();
+  void sort_by_plane();
 
   BeadScheme scheme_;
   Index3 block_;  ///< size of the block
   std::vector<ImageLinks> images_;
-  std::vector<LinkSegment> by_row_;
-  std::vector<int> first_of_row_, next_of_row_;
+  std::vector<LinkSegment> by_plane_;
+  std::vector<int> first_of_plane_, next_of_plane_;
   std::vector<BeadLink> found_;  ///< links of one image during the search
-  std::vector<int> first_found_;
+  std::vector<int> first_found_, plane_found_;
 };
 
 }  // namespace beadswim
