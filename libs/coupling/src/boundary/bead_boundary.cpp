@@ -148,6 +148,7 @@ class LinkReflection {
     batch.y[k] = row.y[along.c[1] + 1], batch.z[k] = row.z[along.c[2] + 1];
     batch.cx[k] = along.velocity[0], batch.cy[k] = along.velocity[1], batch.cz[k] = along.velocity[2];
     batch.weight[k] = along.weight;
+    prefetch(at.incoming[k]);
     if (cells_behind_ < 2) prefetch(outgoing);
     if (cells_behind_ == 0) return;
     batch.fluid_behind[k] = link.fluid_behind;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "beadswim/lattice/d3q19.hpp"
 
@@ -136,8 +137,9 @@ void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& cove
       }
       for (const auto& [cy, cz] : steps_to_rows) finder.add(y - cy, z - cz, cy, cz);
       const std::span links(found_.begin() + first, found_.end());
-      std::ranges::stable_sort(
-          links, {}, [](const BeadLink& link) { return link.from_low[0] + d3q19::velocity[link.out][0]; });
+      std::ranges::sort(links, {}, [](const BeadLink& link) {
+        return std::pair(link.from_low[0] + d3q19::velocity[link.out][0], int{link.out});
+      });
       plane_found_.push_back(plane_before(z, links));
     }
   }
@@ -145,9 +147,9 @@ void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& cove
   known.box = covered.image;
   known.is_alone = is_alone;
   known.runs.assign(runs.begin(), runs.end());
-  known.first_of_segment = first_found_;
-  known.plane_of_segment = plane_found_;
-  known.links.assign(found_.begin(), found_.end());
+  known.first_of_segment.swap(first_found_);
+  known.plane_of_segment.swap(plane_found_);
+  known.links.swap(found_);
 }
 
 /// Returns the number in the sweep order of the plane, among all planes whose populations the links of fluid
@@ -159,8 +161,10 @@ int BeadLinks::plane_before(int z, std::span<const BeadLink> links) const {
   };
   if (scheme_ == BeadScheme::mr)
     for (const int dz : {-1, 0, 1}) involve(z + dz);
-  for (const BeadLink& link : links)
-    for (int m = -1; m <= cells_behind(scheme_); ++m) involve(z + m * d3q19::velocity[link.out][2]);
+  std::array<bool, 3> is_present{};  // directions with the components -1, 0, 1 along z
+  for (const BeadLink& link : links) is_present[d3q19::velocity[link.out][2] + 1] = true;
+  for (const int cz : {-1, 0, 1})
+    for (int m = -1; m <= cells_behind(scheme_) && is_present[cz + 1]; ++m) involve(z + m * cz);
   return first;
 }
 
