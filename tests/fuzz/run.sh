@@ -38,6 +38,7 @@ edits="-max_len=400 -detect_leaks=0"  # leaks of the HDF5 and MPI libraries are 
 bytes="-max_len=30000 -detect_leaks=0 -malloc_limit_mb=1000000 -fork=1 -ignore_crashes=1"
 declare -A options=(
   [layout]=$documents [prediction]=$documents [run_record]=$documents [swimming_file]=$documents
+  [stream]=$documents [study]=$documents
   [lattice_speed]="-max_len=4096 -detect_leaks=0" [trajectory]=$edits
   [restart]="$edits -fork=1"  # Open MPI keeps some memory of each file that was open
   [trajectory_bytes]=$bytes [checkpoint_bytes]=$bytes)

@@ -20,9 +20,10 @@ struct Variation {
 /// nearest name if NAME names no quantity.
 Variation parse_variation(const std::string& text);
 
-/// Returns the values of all layouts of a study: all combinations, the last variation changing first, or with
-/// `together` the first values of all variations, the second values, and so on. Throws InputError if a name
-/// occurs twice, or if the numbers of values differ although they change together.
+/// Returns the values of all layouts of a study with at least one variation: all combinations, the last
+/// variation changing first, or with `together` the first values of all variations, the second values, and so
+/// on. Throws InputError if a name occurs twice, or if the numbers of values differ although they change
+/// together.
 std::vector<StudyPoint> study_points(const std::vector<Variation>& variations, bool together);
 
 }  // namespace beadswim

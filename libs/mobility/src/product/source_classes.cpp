@@ -13,7 +13,7 @@ namespace {
 /// and the largest.
 std::vector<double> squares_of_classes(std::vector<double> squares) {
   std::ranges::sort(squares);
-  squares.erase(std::ranges::unique(squares).begin(), squares.end());
+  squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
   constexpr std::size_t points = max_exact_radii;
   if (squares.size() <= points) return squares;
   const double middle = (squares.back() + squares.front()) / 2, half = (squares.back() - squares.front()) / 2;
