@@ -213,6 +213,9 @@ accepts beadswim-plot swarm drawn.json --repeat 1,2,1 -o drawn.svg --data drawn.
 check 'the beads of a picture and of its copies' cmp drawn.csv <(echo swimmer,bead,x,y,z,radius,unit
   for y in 0 50; do jq -r --argjson copy $y '.swimmers[0].position as $p |
     [[1, -20, 4], [2, 0, 5], [3, 24, 6]][] | "0,\(.[0]),\($p[0] + .[1]),\($p[1] + $copy),\($p[2]),\(.[2]),\"lattice units\""' drawn.json; done)
+beadswim-layout swimmer --preset paper-single --half-space z --position=100,-50,30 >over.json
+accepts beadswim-plot swarm over.json -o drawn.svg --data over.csv
+check 'places over a wall are those of the layout' test "$(sed -n 3p over.csv)" = '0,2,100,-50,30,4,"lattice units"'
 accepts beadswim-plot swimmer drawn.json -o drawn.svg --data drawn.csv
 check 'the beads of a sketch' cmp drawn.csv <(printf '%s\n' bead,x,radius,unit '1,0,4,"lattice units"' '2,20,5,"lattice units"' '3,44,6,"lattice units"')
 check 'a PDF file' test "$(head -c 5 x.pdf)" = %PDF-

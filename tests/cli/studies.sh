@@ -246,6 +246,25 @@ has_status 4
 err_has 'after the first [0-9]+ of 24 layouts; the same command goes on'
 check 'the records so far' cmp out <(head -n "$(wc -l <out)" whole.jsonl)
 
+# Runs of few steps, which end before they look for a stop, and idle ranks stop, too.
+beadswim-layout vary base.json --over phase=30deg:150deg:600 >short.jsonl
+short=(--model rpy --steps-per-cycle 20 --frames-per-cycle 4 --cycles 1 --progress none --no-provenance)
+run beadswim-run short.jsonl "${short[@]}" --time-limit 0.5 -o short-{}.h5md
+has_status 4
+check 'it stopped early' test "$(wc -l <out)" -lt 600
+name=idle$$
+for rank in 0 1; do  # the one that has no layout
+  rm -f $name-*
+  mpirun -n 2 beadswim-run base.json --ranks-per-run 1 --model rpy --cycles 100000 --progress none -o "$name-{}.h5md" >out 2>err &
+  for _ in $(seq 100); do [ -s $name-1.h5md.part ] && break; sleep 0.1; done
+  sleep 0.5
+  kill -TERM "$(pgrep -f "^beadswim-run .*$name" | sed -n $((rank + 1))p)"
+  status=0
+  wait $! || status=$?
+  command_line="kill -TERM (rank $rank of 2 with one layout)"
+  has_status 4
+done
+
 # A layout that cannot be run does not stop the others.
 jq -c '.domain = {lengths: [60, 30, 30], boundary: ["periodic", "periodic", "periodic"]} | .swimmers[0].position = [30, 15, 15]' base.json |
   cat - some.jsonl >mixed.jsonl
@@ -278,18 +297,18 @@ check 'the same on two ranks' test "$(jq -c '[.study, .choice, .runs[0].error]' 
 on_lattice() { # BOX
   beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box "$1" --boundary periodic --period 100 --amplitude 0.02 --jsonl
 }
-for box in 48,32,32 32,16,16 32,16,16 32,16,16; do on_lattice $box; done >sizes.jsonl
+for box in 48,48,32 32,16,16 32,16,16 32,16,16; do on_lattice $box; done >sizes.jsonl
 lattice=(--model lbm --cells-per-radius 2 --cycles 0.2 --no-provenance)
 run mpirun -n 2 beadswim-run sizes.jsonl "${lattice[@]}" -o sizes-{}.h5md
 has_status 0
-err_has '4 layouts: 3, 2 at a time, 1 ranks for each; then 1 on large lattices, one after the other on all 2 ranks'
+err_has '4 layouts: 3 run side by side, up to 2 at a time, each on 1 rank; then 1 large, one after the other on all 2 ranks'
 cp out sizes.out
 run beadswim-run sizes.jsonl "${lattice[@]}" -o single-size-{}.h5md
 has_status 0
-err_has '4 layouts, 1 at a time, 1 ranks for each'
+err_has '4 layouts: 4 run side by side, up to 1 at a time, each on 1 rank'
 check 'the same records' cmp <(jq -S 'del(.request_sha256)' out) <(jq -S 'del(.request_sha256)' sizes.out)
 run mpirun -n 2 beadswim-run sizes.jsonl "${lattice[@]}" --ranks-per-run 1 -o grouped-size-{}.h5md
-err_has '4 layouts, 2 at a time, 1 ranks for each'
+err_has '4 layouts: 4 run side by side, up to 2 at a time, each on 1 rank'
 
 # More files than a process may hold open.
 for n in $(seq 60); do sed -n 1p study.jsonl >"many-$n.json"; done

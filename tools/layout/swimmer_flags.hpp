@@ -61,7 +61,7 @@ class SwimmerFlags {
 
   const std::string& preset() const { return preset_; }  ///< name of the preset; empty if none is given
   /// Returns the sizes of the units of the preset. They follow from the bead radius, the viscosity and the
-  /// density of the flags. Throws InputError if one of these lacks.
+  /// density of the flags. Throws InputError if one of these is missing.
   UnitSizes preset_units() const;
 
  private:

@@ -234,7 +234,8 @@ SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlag
       .keys = keys(scene.layout, options.colours),
       .marks = marks(cell, options.marks),
       .notes = {{.text = scene_text(scene, repeat)}, colours_note(options.colours), types_note(scene.layout)},
-      .length_unit = length_unit(scene.layout.units)};
+      .length_unit = length_unit(scene.layout.units),
+      .origin = scene.origin};
   if (options.distances) picture.distances = distances(scene, picture.swimmers, options.block_swimmers);
   return picture;
 }

@@ -73,7 +73,9 @@ SwarmScene read_swarm_scene(const std::string& path, std::optional<std::size_t> 
   SwarmScene scene = is_trajectory(path) ? scene_of(open_trajectory(path), frame)
                                          : scene_of(read_layout(path).layout, source_name(path));
   if (!scene.layout.domain.box) {
+    const Vec3 before = scene.swimmers.front().middle_bead().centre;
     scene.box = enclose_swimmers(scene.swimmers);
+    scene.origin = before - scene.swimmers.front().middle_bead().centre;
     return scene;
   }
   scene.box = scene.layout.domain.box->lengths;

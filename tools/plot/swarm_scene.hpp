@@ -19,6 +19,8 @@ struct SwarmScene {
   std::vector<PicturedSwimmer> swimmers;  ///< the middle bead of each swimmer is in the box
   Vec3 box = Vec3::Zero();  ///< edges of the box, or, in open space, of a box around the swimmers [length]
 
+  Vec3 origin = Vec3::Zero();  ///< SwarmPicture::origin
+
   bool is_periodic(int axis) const { return layout.domain.box && layout.domain.box->is_periodic(axis); }
 };
 

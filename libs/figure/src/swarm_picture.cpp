@@ -280,9 +280,9 @@ std::string swarm_picture_to_csv(const SwarmPicture& picture) {
   std::string lines = "swimmer,bead,x,y,z,radius,unit\n";
   for (const PicturedSwimmer& swimmer : picture.swimmers) {
     for (std::size_t b = 0; b < swimmer.beads.size(); ++b) {
-      const auto& [centre, radius] = swimmer.beads[b];
-      lines += fmt::format("{},{},{},{},{},{},{}\n", swimmer.id, b + 1, centre.x(), centre.y(), centre.z(),
-                           radius, quoted(picture.length_unit));
+      const Vec3 place = swimmer.beads[b].centre + picture.origin;
+      lines += fmt::format("{},{},{},{},{},{},{}\n", swimmer.id, b + 1, place.x(), place.y(), place.z(),
+                           swimmer.beads[b].radius, quoted(picture.length_unit));
     }
   }
   return lines;

@@ -10,6 +10,7 @@
 #include "beadswim/documents/study_text.hpp"
 #include "beadswim/plan/percent.hpp"
 #include "one_run.hpp"
+#include "planning/lattice_speed_cache.hpp"
 #include "planning/plan_flags.hpp"
 #include "planning/plan_report.hpp"
 
@@ -25,14 +26,17 @@ struct MemberPlan {
 };
 
 /// Collective for the group.
-MemberPlan plan_member(const StreamMember& member, const RunOptions& options, const Communicator& group) {
+MemberPlan plan_member(const StreamMember& member, const RunOptions& options,
+                       const std::optional<LatticeSpeed>& speed, const Communicator& group) {
   const LayoutDocument document = layout_of(member);
   MemberPlan made;
   const auto refuse = [&](const std::string& reason) {
     made.row = fmt::format("{:>8}  {}\n", member.number, reason);
   };
   try {
-    const RunPlan plan = plan_run(document.layout, plan_request(options, group), member.source, group);
+    PlanRequest request = plan_request(options, group);
+    if (speed) request.lattice_speed = [&speed] { return *speed; };
+    const RunPlan plan = plan_run(document.layout, request, member.source, group);
     Json json = plan_to_json(plan, options, group);
     if (!document.study.is_null()) json["study"] = document.study;
     made.document = dump_json_line(json);
@@ -56,6 +60,19 @@ MemberPlan plan_member(const StreamMember& member, const RunOptions& options, co
   return made;
 }
 
+/// Returns the speed of the lattice with the ranks of a group, measured by one group if it is not known yet;
+/// nullopt if no run has a lattice. Collective.
+std::optional<LatticeSpeed> common_lattice_speed(const RunOptions& options, bool measures,
+                                                 const Communicator& group,
+                                                 const Communicator& communicator) {
+  const RunModel model = options.settings.model;
+  if (model != RunModel::automatic && model != RunModel::lbm) return std::nullopt;
+  std::string text;
+  if (measures) text = lattice_speed_to_json(speed_of_this_machine(group)).dump();
+  broadcast(text, communicator);
+  return lattice_speed_from_json(Json::parse(text));
+}
+
 /// Returns the texts of all ranks, one after the other, on rank 0. Collective.
 std::string gather_text(const std::string& own, const Communicator& communicator) {
   const std::vector<char> all = gather_bytes({own.begin(), own.end()}, communicator);
@@ -69,6 +86,8 @@ void plan_stream(const StoredLayouts& layouts, const RunOptions& options, const 
   const std::unique_ptr<Communicator> group = group_of(schedule, communicator);
   const int groups = schedule.groups(communicator);
   const int own_group = std::min(communicator.rank() / schedule.ranks_per_run, groups - 1);
+  const std::optional<LatticeSpeed> speed =
+      common_lattice_speed(options, own_group == 0, *group, communicator);
   RunOptions settings = options;
   settings.layouts = {"-"};  // of the commands that a plan proposes: they take one layout
   const bool prints = communicator.is_root();
@@ -78,7 +97,7 @@ void plan_stream(const StoredLayouts& layouts, const RunOptions& options, const 
   for (int first = 1; first <= layouts.size(); first += groups) {
     MemberPlan made;
     if (const int number = first + own_group; number <= layouts.size())
-      made = plan_member(layouts.member(number), settings, *group);
+      made = plan_member(layouts.member(number), settings, speed, *group);
     if (!group->is_root()) made = {};
     const std::string documents = gather_text(made.document, communicator);
     const std::string rows = gather_text(made.row, communicator);
@@ -96,11 +115,12 @@ void plan_stream(const StoredLayouts& layouts, const RunOptions& options, const 
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, communicator.get());
   MPI_Allreduce(MPI_IN_PLACE, &sum.memory_bytes, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
   if (prints)
-    print_to_stderr(fmt::format(
-        "all: {} of {} layouts have a run within the tolerance; together {:.3g} core-seconds, {:.3g} s on {} "
-        "ranks, {} of output, at most {} of memory at a time for each\n",
-        chosen, layouts.size(), sums[0], sums[0] / communicator.size(), communicator.size(),
-        size_text(sums[1]), size_text(sum.memory_bytes)));
+    print_to_stderr(
+        fmt::format("all: {} of {} layouts have a run within the tolerance; together {:.3g} core-seconds, "
+                    "{:.3g} s with the "
+                    "ranks of this command ({}), {} of output, at most {} of memory per run\n",
+                    chosen, layouts.size(), sums[0], sums[0] / communicator.size(), communicator.size(),
+                    size_text(sums[1]), size_text(sum.memory_bytes)));
   if (chosen < layouts.size())
     throw RunFailed(
         fmt::format("{} of {} layouts have no run within the tolerance: see the keys \"best\" and "

@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <thread>
 
@@ -34,8 +35,9 @@ class SharedCounters {
   enum Counter {
     claimed,   ///< layouts that a group has begun
     treated,   ///< millionths of layouts that have been treated
-    existing,  ///< layouts whose records were there before
-    stopped,   ///< groups that a signal or the time limit stopped
+    finished,  ///< layouts that have been treated completely
+    existing,  ///< of these: layouts whose records were there before
+    stopped,   ///< ranks and groups that a signal or the time limit has stopped
     number_of_counters
   };
 
@@ -194,50 +196,67 @@ class StreamRuns {
         progress_(program_name, layouts.size()),
         counters_(communicator) {}
 
-  /// Runs all layouts, and prints their records. Returns true if a signal or the time limit stopped a run. If
-  /// a rank fails, all ranks of the program are aborted. Collective.
+  /// Runs all layouts, and prints their records. Returns true if a signal or the time limit stopped the work.
+  /// If a rank fails, all ranks of the program are aborted. Collective.
   bool run(const StreamSchedule& schedule, const Communicator& group) {
-    bool is_stopped = false;
+    catch_stop_signals();
     try {
-      is_stopped = run_side_by_side(schedule.side_by_side, group);
+      run_side_by_side(schedule.side_by_side, group);
       for (const int number : schedule.on_all_ranks) {
-        if (is_stopped) break;
-        is_stopped = run_one(number, communicator_);
+        if (is_to_stop(communicator_)) break;
+        run_one(number, communicator_);
       }
       if (communicator_.is_root()) printer_.print_available();
     } catch (...) {  // not rethrown: the destructor of the counters would wait for the other ranks
       abort_after_failure(program_name, failures_);
     }
-    return is_stopped;
+    int stopped = communicator_.is_root() && is_stopped();
+    MPI_Bcast(&stopped, 1, MPI_INT, 0, communicator_.get());
+    return stopped != 0;
   }
 
  private:
   static constexpr long whole = 1000000;  ///< a layout [millionths]
 
   bool is_stopped() { return counters_.value(SharedCounters::stopped) > 0; }
-  double treated() {
-    return static_cast<double>(counters_.value(SharedCounters::treated)) / static_cast<double>(whole);
+
+  /// Stops the work of all groups after a signal to this rank.
+  void stop_after_signal() {
+    if (has_stopped_ || stop_signal() == 0) return;
+    has_stopped_ = true;
+    counters_.add(SharedCounters::stopped, 1);
   }
 
-  /// Runs the layouts that no other group has begun. Collective.
-  bool run_side_by_side(const std::vector<int>& numbers, const Communicator& group) {
-    const int count = static_cast<int>(numbers.size());
-    while (true) {
-      int next = count;
-      if (group.is_root() && !is_stopped())
-        next = static_cast<int>(std::min<long>(counters_.add(SharedCounters::claimed, 1), count));
-      MPI_Bcast(&next, 1, MPI_INT, 0, group.get());
-      if (next == count || run_one(numbers[next], group)) break;
+  /// Returns true, on all ranks of the group, if a signal or the time limit has stopped the work of any
+  /// group. Collective for the group.
+  bool is_to_stop(const Communicator& group) {
+    stop_after_signal();
+    int stopped = stop_signal() != 0;
+    if (group.is_root()) {
+      const double seconds = MPI_Wtime() - start_;
+      if (seconds > options_.time_limit.value_or(seconds)) counters_.add(SharedCounters::stopped, 1);
+      stopped = is_stopped();
     }
-    if (communicator_.is_root()) wait_for(count);
-    MPI_Barrier(communicator_.get());
-    int stopped = communicator_.is_root() && is_stopped();
-    MPI_Bcast(&stopped, 1, MPI_INT, 0, communicator_.get());
+    MPI_Allreduce(MPI_IN_PLACE, &stopped, 1, MPI_INT, MPI_MAX, group.get());
     return stopped != 0;
   }
 
-  /// Returns true if the run was stopped. Collective for the group.
-  bool run_one(int number, const Communicator& group) {
+  /// Runs the layouts that no other group has begun. Collective.
+  void run_side_by_side(const std::vector<int>& numbers, const Communicator& group) {
+    const int count = static_cast<int>(numbers.size());
+    while (!is_to_stop(group)) {
+      int next = count;
+      if (group.is_root())
+        next = static_cast<int>(std::min<long>(counters_.add(SharedCounters::claimed, 1), count));
+      MPI_Bcast(&next, 1, MPI_INT, 0, group.get());
+      if (next == count) break;
+      run_one(numbers[next], group);
+    }
+    wait_for_other_groups();
+  }
+
+  /// Collective for the group.
+  void run_one(int number, const Communicator& group) {
     long reported = 0;
     double last = MPI_Wtime();
     const TakeShare take_share = [&](double share) {
@@ -247,35 +266,42 @@ class StreamRuns {
       const long now = std::lround(share * whole);
       counters_.add(SharedCounters::treated, now - reported);
       reported = now;
-      report_progress();
+      if (is_stopped()) std::raise(SIGTERM);  // stops this run with a checkpoint
+      report();
     };
     const MemberEnd end = run_member(layouts_.member(number), options_, start_, take_share, group, failures_);
-    if (!group.is_root()) return end == MemberEnd::stopped;
+    if (!group.is_root()) return;
     if (end == MemberEnd::stopped) {
       counters_.add(SharedCounters::stopped, 1);
-      return true;
+      return;
     }
     counters_.add(SharedCounters::treated, whole - reported);
     if (end == MemberEnd::existing) counters_.add(SharedCounters::existing, 1);
-    if (communicator_.is_root()) printer_.print_available();
-    report_progress();
-    return false;
+    counters_.add(SharedCounters::finished, 1);
+    report();
   }
 
-  /// Prints records until other groups have treated `count` layouts, or have stopped.
-  void wait_for(int count) {
-    for (double done = treated(); done < count && !is_stopped();) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      const double now = treated();
-      if (std::floor(now) > std::floor(done)) printer_.print_available();
-      done = now;
-      report_progress();
+  /// Waits until all groups have no more work. Collective.
+  void wait_for_other_groups() {
+    MPI_Request all_wait = MPI_REQUEST_NULL;
+    MPI_Ibarrier(communicator_.get(), &all_wait);
+    for (int are_done = 0; !are_done; MPI_Test(&all_wait, &are_done, MPI_STATUS_IGNORE)) {
+      stop_after_signal();
+      report();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }
 
-  void report_progress() {
+  /// Prints new records and the progress, on rank 0.
+  void report() {
+    if (!communicator_.is_root()) return;
+    if (const long finished = counters_.value(SharedCounters::finished); finished > seen_) {
+      seen_ = finished;
+      printer_.print_available();
+    }
     if (has_progress_)
-      progress_.update(treated(), static_cast<int>(counters_.value(SharedCounters::existing)));
+      progress_.update(static_cast<double>(counters_.value(SharedCounters::treated)) / whole,
+                       static_cast<int>(counters_.value(SharedCounters::existing)));
   }
 
   const StoredLayouts& layouts_;
@@ -287,6 +313,8 @@ class StreamRuns {
   const Communicator& failures_;
   StreamProgress progress_;
   SharedCounters counters_;
+  bool has_stopped_ = false;  ///< true: this rank has reported a signal
+  long seen_ = 0;             ///< layouts whose records rank 0 has looked for
 };
 
 void check_flags(const StoredLayouts& layouts, const RunOptions& options) {
@@ -330,14 +358,16 @@ void check_files(const StoredLayouts& layouts, const RunOptions& options) {
 }
 
 void announce(const StreamSchedule& schedule, const Communicator& communicator) {
-  const std::size_t groups = schedule.side_by_side.size(), large = schedule.on_all_ranks.size();
-  std::string text = fmt::format("{}: {} layouts", program_name, groups + large);
-  if (groups > 0)
-    text += fmt::format("{}, {} at a time, {} ranks for each", large > 0 ? fmt::format(": {}", groups) : "",
-                        schedule.groups(communicator), schedule.ranks_per_run);
+  const int small = static_cast<int>(schedule.side_by_side.size()),
+            large = static_cast<int>(schedule.on_all_ranks.size());
+  const auto ranks = [](int count) { return count == 1 ? "1 rank" : fmt::format("{} ranks", count); };
+  std::string text = fmt::format("{}: {} layouts: ", program_name, small + large);
+  if (small > 0)
+    text += fmt::format("{} run side by side, up to {} at a time, each on {}", small,
+                        std::min(small, schedule.groups(communicator)), ranks(schedule.ranks_per_run));
   if (large > 0)
-    text += fmt::format("{} {} on large lattices, one after the other on all {} ranks",
-                        groups > 0 ? "; then" : ", all", large, communicator.size());
+    text += fmt::format("{}{} large, one after the other on all {}", small > 0 ? "; then " : "", large,
+                        ranks(communicator.size()));
   print_to_stderr(text + "\n");
 }
 
@@ -350,7 +380,7 @@ void report(const RecordPrinter& printer, int layouts, bool is_stopped, const Co
   std::array<int, 2> counts{printer.printed(), printer.failed()};
   MPI_Bcast(counts.data(), 2, MPI_INT, 0, communicator.get());
   const auto [printed, failed] = counts;
-  if (is_stopped)
+  if (is_stopped && printed < layouts)
     throw StoppedEarly(
         fmt::format("stopped by a signal or the time limit after the first {} of {} layouts; "
                     "the same command goes on, and keeps later results, too",

@@ -19,9 +19,9 @@ struct StreamSchedule {
 };
 
 /// Returns the schedule of the flag --ranks-per-run, which gives all layouts to groups. By default, groups
-/// are as small as keep all ranks busy. A lattice is large then if its group has too little memory for it, or
-/// if its work exceeds the share of a group in the work on all lattices by a quarter. Throws InputError on all
-/// ranks. Collective.
+/// are as small as keep all ranks busy. A lattice is large then if all ranks can share its cells, 32^3 or
+/// more each, and if its group has too little memory for it, or if its work exceeds the share of a group in
+/// the work on all lattices by a quarter. Throws InputError on all ranks. Collective.
 StreamSchedule schedule_of(const StoredLayouts& layouts, const RunOptions& options,
                            const Communicator& communicator);
 

@@ -57,7 +57,8 @@ struct SwarmPicture {
   std::vector<PictureMark> marks{};
   std::vector<PictureDistance> distances{};
   std::vector<Note> notes{};
-  std::string length_unit{};  ///< also of the scale bar along the lower front edge of the box
+  std::string length_unit{};  ///< unit of the scale bar along the lower front edge of the box, and of numbers
+  Vec3 origin = Vec3::Zero();  ///< place of the corner of the box in the coordinates of the layout [length]
 };
 
 /// Returns a complete SVG document, about 70 bytes per bead. Beads are shaded discs and bonds are lines. Near
@@ -65,7 +66,7 @@ struct SwarmPicture {
 std::string swarm_picture_to_svg(const SwarmPicture& picture);
 
 /// Returns the beads that are drawn as comma-separated values: id of the swimmer, number of the bead in it,
-/// place in the box and radius, with the unit of length.
+/// place in the coordinates of the layout and radius, with the unit of length.
 std::string swarm_picture_to_csv(const SwarmPicture& picture);
 
 /// Moves each swimmer by multiples of the box lengths along periodic axes, so that its middle bead is in the

@@ -22,9 +22,8 @@ struct StreamMember {
 void require_one_standard_input(const std::vector<std::string>& paths);
 
 /// Reads the documents of files one by one, with one file open at a time, so that neither memory nor open
-/// files grow with their number. A file contains
-/// JSON Lines if its first line is a complete document, or if its second line is a complete object. Empty
-/// lines are skipped.
+/// files grow with their number. A file contains JSON Lines if its first line is a complete document, or if
+/// its second line is a complete object. Empty lines are skipped.
 class DocumentStream {
  public:
   /// `paths`: files; - is standard input. What can be read only once (standard input, a pipe) is copied to a
