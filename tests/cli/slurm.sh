@@ -7,13 +7,16 @@ jobs=$BEADSWIM_SOURCE/examples/slurm
 mkdir bin
 cat >bin/srun <<'SRUN'
 #!/bin/bash
-# Slurm signals the ranks themselves; as soon as there is a checkpoint, if asked to.
+# Slurm signals the ranks themselves; as soon as there is a checkpoint or a trajectory under way, if asked to.
 exec 3>&1
-if [ -n "${TIME_IS_UP-}" ]; then exec mpirun -n 2 "$@" --time-limit 1e-9; fi
 mpirun -n 2 "$@" &
 if [ -n "${STOP_EARLY-}" ]; then
   until [ -e slurm.h5md.ckpt.0 ] || ! kill -0 $!; do sleep 0.1; done
   kill -USR1 "$(pgrep -f "^beadswim-run .*slurm.h5md" | tail -1)"
+fi
+if [ -n "${TIME_IS_UP-}" ]; then
+  until [ -e part-1/run-1.h5md.part ] || ! kill -0 $!; do sleep 0.05; done
+  pkill -USR1 -f "^beadswim-run .*part-1/"
 fi
 wait $!
 SRUN
@@ -39,7 +42,7 @@ check "state of an unbroken run" test "$(state whole.json)" = "$(state slurm.jso
 # --- a study in two jobs of an array
 rm requeued
 beadswim-layout vary layout.json --over phase=30deg,60deg,90deg,120deg,150deg >study.jsonl
-flags=(--cells-per-radius 2 --relaxation-time 1.5 --cycles 30 --no-provenance)
+flags=(--cells-per-radius 2 --relaxation-time 1.5 --cycles 60 --no-provenance)
 beadswim-run study.jsonl "${flags[@]}" -o whole-{}.h5md --progress none >whole.jsonl
 export SLURM_ARRAY_JOB_ID=17 SLURM_ARRAY_TASK_COUNT=2 SLURM_ARRAY_TASK_MIN=1
 job() { SLURM_ARRAY_TASK_ID=$1 run bash "$jobs/study.sbatch" study.jsonl study "${flags[@]}"; }
