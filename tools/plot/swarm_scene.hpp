@@ -17,9 +17,8 @@ struct SwarmScene {
   Layout layout;
   std::vector<std::size_t> in_layout;     ///< index in layout.swimmers of each element of `swimmers`
   std::vector<PicturedSwimmer> swimmers;  ///< the middle bead of each swimmer is in the box
-  Vec3 box = Vec3::Zero();  ///< edges of the box, or, in open space, of a box around the swimmers [length]
-
-  Vec3 origin = Vec3::Zero();  ///< SwarmPicture::origin
+  Vec3 box = Vec3::Zero();     ///< edges of the box, or, in open space, of a box around the swimmers [length]
+  Vec3 origin = Vec3::Zero();  ///< place of the corner of this box in the coordinates of the layout [length]
 
   bool is_periodic(int axis) const { return layout.domain.box && layout.domain.box->is_periodic(axis); }
 };

@@ -43,14 +43,15 @@ inline void prefetch(const void* address) {
 /// Links of one image of a bead that are reflected together, and the addresses of their populations.
 template <class Real>
 struct AddressedLinks {
-  static constexpr int max_links = LinkBatch::max_links;
+  template <class Value>
+  using PerLink = std::array<Value, LinkBatch::max_links>;
 
   const CoveredImage* covered = nullptr;
   LinkBatch batch;
-  std::array<BeadLink*, max_links> links;
-  std::array<std::ptrdiff_t, max_links> fluid_cell;
-  std::array<Real*, max_links> incoming;
-  std::array<const Real*, max_links> outgoing, behind, arrived, two_behind, arrived_behind;
+  PerLink<BeadLink*> links;
+  PerLink<std::ptrdiff_t> fluid_cell;
+  PerLink<Real*> incoming;
+  PerLink<const Real*> outgoing, behind, arrived, two_behind, arrived_behind;
 };
 
 /// Collects links in batches and passes the batches to the link kernel. A batch is reflected when the next
@@ -73,7 +74,6 @@ class LinkReflection {
 
   /// Adds links of fluid cells in one row.
   void add(std::span<BeadLink> links, const CoveredImage& covered) {
-    if (next_->covered != &covered) begin_batch();
     const Index3 low = covered.image.low;
     const auto& c = d3q19::velocity[links.front().out];
     const int y = low[1] + links.front().from_low[1] + c[1], z = low[2] + links.front().from_low[2] + c[2];
@@ -83,25 +83,23 @@ class LinkReflection {
       row.y[step] = covered_cell[1], row.z[step] = covered_cell[2];
     }
     for (BeadLink& link : links) {
-      if (next_->batch.links == LinkBatch::max_links) begin_batch();
-      next_->covered = &covered;
+      if (next_->covered != &covered || next_->batch.links == LinkBatch::max_links) begin_batch(&covered);
       add(link, row);
     }
   }
 
   /// Reflects the populations at all links that were added since the last call.
   void finish() {
-    begin_batch();
-    begin_batch();
+    begin_batch(nullptr);
+    begin_batch(nullptr);
   }
 
  private:
-  /// Reflects the batch before the present one, and begins a new one.
-  void begin_batch() {
-    if (next_->batch.links > 0 || last_->batch.links > 0) {
-      reflect(*last_);
-      std::swap(last_, next_);
-    }
+  /// Reflects the batch before the present one, and begins a new one of links of the image `covered`.
+  void begin_batch(const CoveredImage* covered) {
+    reflect(*last_);
+    std::swap(last_, next_);
+    next_->covered = covered;
   }
 
   void reflect(AddressedLinks<Real>& at) {
@@ -176,7 +174,7 @@ class LinkReflection {
   /// same time.
   void fetch(AddressedLinks<Real>& at) const {
     LinkBatch& batch = at.batch;
-    const auto read = [&](const std::array<const Real*, LinkBatch::max_links>& from, double* to) {
+    const auto read = [&](const auto& from, double* to) {
       for (int k = 0; k < batch.links; ++k) to[k] = static_cast<double>(*from[k]);
     };
     read(at.outgoing, batch.outgoing);

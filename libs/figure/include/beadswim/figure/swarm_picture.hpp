@@ -57,7 +57,8 @@ struct SwarmPicture {
   std::vector<PictureMark> marks{};
   std::vector<PictureDistance> distances{};
   std::vector<Note> notes{};
-  std::string length_unit{};  ///< unit of the scale bar along the lower front edge of the box, and of numbers
+  std::string
+      length_unit{};  ///< for the scale bar along the lower front edge of the box, and for the numbers
   Vec3 origin = Vec3::Zero();  ///< place of the corner of the box in the coordinates of the layout [length]
 };
 
