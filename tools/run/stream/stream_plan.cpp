@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
+#include <optional>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/failure_document.hpp"
@@ -17,15 +17,36 @@
 namespace beadswim {
 namespace {
 
-/// The plan of one layout as text, and the cost of its cheapest run.
+/// The plan of one layout as text, and its cheapest run within the tolerance.
 struct MemberPlan {
   std::string document;  ///< line of JSON
   std::string row;       ///< row of the table
-  PlannedRun choice;     ///< without flags and cost if there is none
-  bool has_choice = false;
+  std::optional<PlannedRun> choice;
 };
 
-/// Collective for the group.
+/// Costs of the cheapest runs of all layouts.
+struct StreamCosts {
+  int runs = 0;  ///< number of layouts with a run within the tolerance
+  double core_seconds = 0, output_bytes = 0;
+  double max_memory_bytes = 0;  ///< memory of the largest run
+
+  void add(const PlannedRun& run) {
+    ++runs;
+    core_seconds += run.core_seconds;
+    output_bytes += run.output_bytes;
+    max_memory_bytes = std::max(max_memory_bytes, run.memory_bytes);
+  }
+
+  /// Combines the costs of all ranks. Collective.
+  void combine(const Communicator& communicator) {
+    MPI_Allreduce(MPI_IN_PLACE, &runs, 1, MPI_INT, MPI_SUM, communicator.get());
+    for (double* sum : {&core_seconds, &output_bytes})
+      MPI_Allreduce(MPI_IN_PLACE, sum, 1, MPI_DOUBLE, MPI_SUM, communicator.get());
+    MPI_Allreduce(MPI_IN_PLACE, &max_memory_bytes, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
+  }
+};
+
+/// Plans one layout. Collective for the group.
 MemberPlan plan_member(const StreamMember& member, const RunOptions& options,
                        const std::optional<LatticeSpeed>& speed, const Communicator& group) {
   const LayoutDocument document = layout_of(member);
@@ -40,11 +61,10 @@ MemberPlan plan_member(const StreamMember& member, const RunOptions& options,
     Json json = plan_to_json(plan, options, group);
     if (!document.study.is_null()) json["study"] = document.study;
     made.document = dump_json_line(json);
-    made.has_choice = plan.choice.has_value();
-    if (made.has_choice) {
+    if (plan.choice) {
       made.choice = plan.runs[*plan.choice];
       made.row = fmt::format("{:>8}{}", member.number,
-                             plan_row(made.choice, options, group, study_text(document.study, 4)));
+                             plan_row(*made.choice, options, group, study_text(document.study, 4)));
     } else if (plan.best) {
       const PlannedRun& best = plan.runs[*plan.best];
       refuse(fmt::format("no run within {}; smallest error: {}, {}", in_percent(plan.tolerance),
@@ -84,16 +104,14 @@ std::string gather_text(const std::string& own, const Communicator& communicator
 void plan_stream(const StoredLayouts& layouts, const RunOptions& options, const Communicator& communicator) {
   const StreamSchedule schedule = schedule_of(layouts, options, communicator);
   const std::unique_ptr<Communicator> group = group_of(schedule, communicator);
-  const int groups = schedule.groups(communicator);
-  const int own_group = std::min(communicator.rank() / schedule.ranks_per_run, groups - 1);
+  const int groups = schedule.groups(communicator), own_group = schedule.own_group(communicator);
   const std::optional<LatticeSpeed> speed =
       common_lattice_speed(options, own_group == 0, *group, communicator);
   RunOptions settings = options;
   settings.layouts = {"-"};  // of the commands that a plan proposes: they take one layout
   const bool prints = communicator.is_root();
   if (prints) print_to_stderr(fmt::format("{:>8}\n{}", "layout", plan_head("        ")));
-  PlannedRun sum;
-  int chosen = 0;
+  StreamCosts costs;
   for (int first = 1; first <= layouts.size(); first += groups) {
     MemberPlan made;
     if (const int number = first + own_group; number <= layouts.size())
@@ -105,27 +123,20 @@ void plan_stream(const StoredLayouts& layouts, const RunOptions& options, const 
       write_text("-", documents);
       print_to_stderr(rows);
     }
-    chosen += made.has_choice;
-    sum.core_seconds += made.choice.core_seconds;
-    sum.output_bytes += made.choice.output_bytes;
-    sum.memory_bytes = std::max(sum.memory_bytes, made.choice.memory_bytes);
+    if (made.choice) costs.add(*made.choice);
   }
-  MPI_Allreduce(MPI_IN_PLACE, &chosen, 1, MPI_INT, MPI_SUM, communicator.get());
-  std::array<double, 2> sums{sum.core_seconds, sum.output_bytes};
-  MPI_Allreduce(MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM, communicator.get());
-  MPI_Allreduce(MPI_IN_PLACE, &sum.memory_bytes, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
+  costs.combine(communicator);
   if (prints)
-    print_to_stderr(
-        fmt::format("all: {} of {} layouts have a run within the tolerance; together {:.3g} core-seconds, "
-                    "{:.3g} s with the "
-                    "ranks of this command ({}), {} of output, at most {} of memory per run\n",
-                    chosen, layouts.size(), sums[0], sums[0] / communicator.size(), communicator.size(),
-                    size_text(sums[1]), size_text(sum.memory_bytes)));
-  if (chosen < layouts.size())
+    print_to_stderr(fmt::format(
+        "all: {} of {} layouts have a run within the tolerance; together {:.3g} core-seconds, "
+        "{:.3g} s on the ranks of this command ({}), {} of output, at most {} of memory per run\n",
+        costs.runs, layouts.size(), costs.core_seconds, costs.core_seconds / communicator.size(),
+        communicator.size(), size_text(costs.output_bytes), size_text(costs.max_memory_bytes)));
+  if (costs.runs < layouts.size())
     throw RunFailed(
         fmt::format("{} of {} layouts have no run within the tolerance: see the keys \"best\" and "
                     "\"reason\" of the lines",
-                    layouts.size() - chosen, layouts.size()));
+                    layouts.size() - costs.runs, layouts.size()));
 }
 
 }  // namespace beadswim

@@ -29,7 +29,7 @@ namespace {
 /// Flags that change neither results nor records.
 constexpr std::array same_result_flags{"--time-limit", "--progress", "--ranks-per-run", "--checkpoint-every"};
 
-/// Counters on rank 0, which rank 0 of every group may read and raise at any time.
+/// Counters on rank 0, which every rank may read and increase at any time.
 class SharedCounters {
  public:
   enum Counter {
@@ -183,14 +183,15 @@ MemberEnd run_member(const StreamMember& member, const RunOptions& options, doub
 /// Work of all groups on the layouts of a stream.
 class StreamRuns {
  public:
-  /// `start`: MPI_Wtime from which --time-limit counts [s]. Collective.
+  /// `start`: MPI_Wtime from which --time-limit counts [s]. `has_progress`: true if this rank prints the
+  /// progress. Collective.
   StreamRuns(const StoredLayouts& layouts, const RunOptions& options, double start, RecordPrinter& printer,
              bool has_progress, const Communicator& communicator, const Communicator& failures)
       : layouts_(layouts),
         options_(options),
         start_(start),
         printer_(printer),
-        has_progress_(has_progress && communicator.is_root()),
+        has_progress_(has_progress),
         communicator_(communicator),
         failures_(failures),
         progress_(program_name, layouts.size()),
@@ -255,7 +256,7 @@ class StreamRuns {
     wait_for_other_groups();
   }
 
-  /// Collective for the group.
+  /// Runs the layout with this number, and counts it. Collective for the group.
   void run_one(int number, const Communicator& group) {
     long reported = 0;
     double last = MPI_Wtime();
@@ -267,7 +268,7 @@ class StreamRuns {
       counters_.add(SharedCounters::treated, now - reported);
       reported = now;
       if (is_stopped()) std::raise(SIGTERM);  // stops this run with a checkpoint
-      report();
+      print_news();
     };
     const MemberEnd end = run_member(layouts_.member(number), options_, start_, take_share, group, failures_);
     if (!group.is_root()) return;
@@ -278,7 +279,7 @@ class StreamRuns {
     counters_.add(SharedCounters::treated, whole - reported);
     if (end == MemberEnd::existing) counters_.add(SharedCounters::existing, 1);
     counters_.add(SharedCounters::finished, 1);
-    report();
+    print_news();
   }
 
   /// Waits until all groups have no more work. Collective.
@@ -287,13 +288,13 @@ class StreamRuns {
     MPI_Ibarrier(communicator_.get(), &all_wait);
     for (int are_done = 0; !are_done; MPI_Test(&all_wait, &are_done, MPI_STATUS_IGNORE)) {
       stop_after_signal();
-      report();
+      print_news();
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }
 
   /// Prints new records and the progress, on rank 0.
-  void report() {
+  void print_news() {
     if (!communicator_.is_root()) return;
     if (const long finished = counters_.value(SharedCounters::finished); finished > seen_) {
       seen_ = finished;

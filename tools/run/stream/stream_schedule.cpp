@@ -101,10 +101,8 @@ StreamSchedule schedule_of(const StoredLayouts& layouts, const RunOptions& optio
 }
 
 std::unique_ptr<Communicator> group_of(const StreamSchedule& schedule, const Communicator& communicator) {
-  const int last = schedule.groups(communicator) - 1;
   MPI_Comm own = MPI_COMM_NULL;
-  MPI_Comm_split(communicator.get(), std::min(communicator.rank() / schedule.ranks_per_run, last),
-                 communicator.rank(), &own);
+  MPI_Comm_split(communicator.get(), schedule.own_group(communicator), communicator.rank(), &own);
   auto group = std::make_unique<Communicator>(own);
   MPI_Comm_free(&own);
   return group;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct StreamSchedule {
   int ranks_per_run = 1;          ///< ranks of a group
 
   int groups(const Communicator& communicator) const { return communicator.size() / ranks_per_run; }
+  /// Returns the number of this rank's group, from 0. The last group also has the ranks that are left over.
+  int own_group(const Communicator& communicator) const {
+    return std::min(communicator.rank() / ranks_per_run, groups(communicator) - 1);
+  }
 };
 
 /// Returns the schedule of the flag --ranks-per-run, which gives all layouts to groups. By default, groups
