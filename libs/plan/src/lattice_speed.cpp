@@ -17,7 +17,9 @@ namespace {
 
 constexpr std::array edges{12, 24, 48, 96};  // edges of a rank's block [cell]; 12 fits in the cache
 constexpr double timing_interval = 0.06;     // duration of one timing [s]
+constexpr double short_interval = 0.01;      // the same for a known speed [s]
 constexpr int rounds = 3;
+constexpr int edge_with_beads = 64;  // of a rank's block with swimmers [cell]
 
 CoupledScene fluid_scene(int edge, Precision precision, int ranks) {
   CoupledScene scene;
@@ -31,7 +33,7 @@ CoupledScene fluid_scene(int edge, Precision precision, int ranks) {
 /// Returns a scene with swimmers at rest side by side. Beads have a radius of 4 cells. The volume fraction of
 /// the beads is that of the swarm in the paper.
 CoupledScene scene_with_beads(Precision precision, BeadScheme scheme, int ranks) {
-  CoupledScene scene = fluid_scene(64, precision, ranks);
+  CoupledScene scene = fluid_scene(edge_with_beads, precision, ranks);
   scene.bead_boundary = scheme;
   ThreeBeadSwimmer type;
   type.beads.fill({.radius = 4, .density = 1});
@@ -48,9 +50,9 @@ CoupledScene scene_with_beads(Precision precision, BeadScheme scheme, int ranks)
   return scene;
 }
 
-/// Returns the wall time per step until all ranks have finished [s]: the median of `rounds` timings.
-/// Collective.
-double seconds_of_step(const CoupledScene& scene, const Communicator& communicator) {
+/// Returns the wall time per step until all ranks have finished [s]: the median of `rounds` timings, each of
+/// the duration `interval` [s]. Collective.
+double seconds_of_step(const CoupledScene& scene, double interval, const Communicator& communicator) {
   CoupledSystem system(scene, communicator);
   const auto seconds_of = [&](int steps) {
     MPI_Barrier(communicator.get());
@@ -60,7 +62,7 @@ double seconds_of_step(const CoupledScene& scene, const Communicator& communicat
     return MPI_Wtime() - start;
   };
   seconds_of(2);
-  int steps = 2 * std::max(1, static_cast<int>(timing_interval / 2 / std::max(seconds_of(2) / 2, 1e-7)));
+  int steps = 2 * std::max(1, static_cast<int>(interval / 2 / std::max(seconds_of(2) / 2, 1e-7)));
   MPI_Bcast(&steps, 1, MPI_INT, 0, communicator.get());
   std::vector<double> seconds;
   for (int round = 0; round < rounds; ++round) seconds.push_back(seconds_of(steps) / steps);
@@ -105,7 +107,7 @@ LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
   for (const Precision precision : all_values<Precision>) {
     PrecisionCost& own = precisions.emplace_back();
     const auto cost_of = [&](const CoupledScene& scene) {
-      return ranks * seconds_of_step(scene, communicator);
+      return ranks * seconds_of_step(scene, timing_interval, communicator);
     };
     for (const int edge : edges) {
       const CoupledScene scene = fluid_scene(edge, precision, ranks);
@@ -120,6 +122,24 @@ LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
     }
   }
   return {ranks, std::move(precisions)};
+}
+
+LatticeSpeed LatticeSpeed::at_present(const Communicator& communicator) const {
+  std::vector<double> cells, ratios;
+  const PrecisionCost& known = precisions_.at(static_cast<std::size_t>(Precision::fp64));
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const CoupledScene scene = fluid_scene(edges[i], Precision::fp64, ranks_);
+    const double seconds = ranks_ * seconds_of_step(scene, short_interval, communicator);
+    cells.push_back(known.cells[i]);
+    ratios.push_back(seconds / scene.cells.cast<double>().prod() / known.seconds_per_cell[i]);
+  }
+  std::vector<PrecisionCost> now = precisions_;
+  const double with_beads = interpolated(cells, ratios, std::pow(edge_with_beads, 3));
+  for (PrecisionCost& own : now) {
+    for (std::size_t i = 0; i < edges.size(); ++i) own.seconds_per_cell[i] *= ratios[i];
+    for (double& seconds : own.seconds_per_area) seconds *= with_beads;
+  }
+  return {ranks_, std::move(now)};
 }
 
 double LatticeSpeed::step(const CoupledScene& scene) const {

@@ -76,7 +76,7 @@ LatticeSpeed speed_of_this_machine(const Communicator& communicator) {
     if (communicator.is_root()) write_cache(lattice_speed_to_json(speed), communicator.size());
     return speed;
   }
-  return lattice_speed_from_json(Json::parse(text));
+  return lattice_speed_from_json(Json::parse(text)).at_present(communicator);
 }
 
 Json lattice_speed_to_json(const LatticeSpeed& speed) {

@@ -8,10 +8,10 @@
 
 namespace beadswim {
 
-/// Returns the time of lattice steps on this machine. If the same version of the program has already measured
-/// it on the same processor with the same number of ranks, reads the time from the cache file
-/// speed_cache_path(). Otherwise measures the time, which takes some seconds, prints a message on standard
-/// error, and writes the cache file. Collective.
+/// Returns the time of lattice steps on this machine at present. If the same version of the program has
+/// already measured it on the same processor with the same number of ranks, reads the time from the cache
+/// file speed_cache_path() and corrects it by short measurements. Otherwise measures the time, which takes
+/// some seconds, prints a message on standard error, and writes the cache file. Collective.
 LatticeSpeed speed_of_this_machine(const Communicator& communicator);
 
 Json lattice_speed_to_json(const LatticeSpeed& speed);

@@ -12,32 +12,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Legendre polynomial P_n of cos(theta) and its first two derivatives by theta, for n = 1 .. order.
-struct Legendre {
-  Eigen::ArrayXd value, slope, curvature;
-};
-
-Legendre legendre_of(double cosine, double sine, int order) {
-  Legendre p{
-      .value = Eigen::ArrayXd(order), .slope = Eigen::ArrayXd(order), .curvature = Eigen::ArrayXd(order)};
-  double below = 1, value = cosine, derivative = 1;  // P_(n-1), P_n and dP_n/dcos(theta)
-  for (int n = 1; n <= order; ++n) {
-    p.value[n - 1] = value;
-    p.slope[n - 1] = -sine * derivative;
-    p.curvature[n - 1] = -n * (n + 1) * value + cosine * derivative;
-    const double next = ((2 * n + 1) * cosine * value - n * below) / (n + 1);
-    derivative = (n + 1) * value + cosine * derivative;
-    below = value;
-    value = next;
-  }
-  return p;
-}
-
-/// Radial functions of the second series, for n = 1 .. order: h_n, g_(n-1) and x g_(n-1)'.
-struct Radial {
-  Eigen::ArrayXcd h, g_below, g_below_slope;
-};
-
 /// Returns h_1 = 2 (1 - (1 + x) e^-x)/x^2.
 Complex first_h(Complex x) {
   if (std::abs(x) > 1) return 2.0 * (1.0 - (1.0 + x) * std::exp(-x)) / (x * x);
@@ -56,61 +30,6 @@ bool has_viscous_series(Complex kappa) {
   return std::abs(kappa) < 4;
 }
 
-/// Returns the radial functions of the second series at r, for a sphere of radius a.
-Radial radial_of(double radius, Complex alpha, double r, int order) {
-  const Complex x = alpha * r, kappa = alpha * radius;
-  const bool is_viscous = has_viscous_series(kappa);
-  const Complex decay = is_viscous ? std::exp(-x) : std::exp(kappa - x);
-  Radial v{.h = Eigen::ArrayXcd(order),
-           .g_below = Eigen::ArrayXcd(order),
-           .g_below_slope = Eigen::ArrayXcd(order)};
-  Complex g_two_below = 0, g_below = decay, g = (1.0 + x) * decay;  // g_(n-2), g_(n-1) and g_n
-  Complex h = is_viscous ? first_h(x) : 0;
-  for (int n = 1; n <= order; ++n) {
-    if (!is_viscous) h = -2.0 * (2 * n - 1) * g / (x * x);
-    v.h[n - 1] = h;
-    v.g_below[n - 1] = g_below;
-    v.g_below_slope[n - 1] = n == 1 ? -x * decay : -x * x * g_two_below / (2.0 * n - 3);
-    if (is_viscous) h = ((2.0 * n + 1) * h - 2.0 * g_below) / (2.0 * n - 1);
-    const Complex g_above = g + x * x * g_below / ((2.0 * n + 1) * (2.0 * n - 1));
-    g_two_below = g_below;
-    g_below = g;
-    g = g_above;
-  }
-  return v;
-}
-
-/// Multipoles of one sphere at a point in polar coordinates. Rows: u_r, u_theta, r du_r/dr, r du_theta/dr,
-/// du_r/dtheta, du_theta/dtheta. Columns: the first series, then the second.
-using Multipoles = Eigen::Matrix<Complex, 6, Eigen::Dynamic>;
-
-Multipoles multipoles_of(double radius, Complex alpha, int order, double r, double cosine, double sine) {
-  const Legendre p = legendre_of(cosine, sine, order);
-  const Radial v = radial_of(radius, alpha, r, order);
-  const double q = radius / r;
-  Multipoles m(6, 2 * order);
-  double power = q;  // q^n
-  for (int k = 0; k < order; ++k, power *= q) {
-    const int n = k + 1;
-    const double steeper = power * q * q;  // q^(n+2)
-    // clang-format off
-    const double  first_r     = -(n + 1) * steeper;
-    const double  first_theta = steeper;
-    const Complex second_r        = n * (n + 1) * power * v.h[k];
-    const Complex second_theta    = power * (2.0 * v.g_below[k] - double(n) * v.h[k]);
-    const Complex slope_r         = n * (n + 1) * power * (2.0 * v.g_below[k] - (n + 2.0) * v.h[k]);
-    const Complex slope_theta     = power * (-4.0 * n * v.g_below[k] + n * (n + 2.0) * v.h[k] + 2.0 * v.g_below_slope[k]);
-    m.col(k)         << first_r * p.value[k], first_theta * p.slope[k],
-                        -(n + 2) * first_r * p.value[k], -(n + 2) * first_theta * p.slope[k],
-                        first_r * p.slope[k], first_theta * p.curvature[k];
-    m.col(order + k) << second_r  * p.value[k], second_theta  * p.slope[k],
-                        slope_r * p.value[k], slope_theta * p.slope[k],
-                        second_r  * p.slope[k], second_theta  * p.curvature[k];
-    // clang-format on
-  }
-  return m;
-}
-
 /// A point in polar coordinates around the centre of a sphere: distance [length], cosine and sine of theta.
 struct Polar {
   double r, cosine, sine;
@@ -126,6 +45,54 @@ Eigen::Matrix2d axes_of(const Polar& place) {
   Eigen::Matrix2d axes;
   axes << place.cosine, -place.sine, place.sine, place.cosine;
   return axes;
+}
+
+/// Degree n of both series at a point: factors that depend on r, and factors that depend on theta. The first
+/// series has u_r = first_r value and u_theta = first_theta slope, and decreases as r^-(n+2).
+struct Degree {
+  double first_r, first_theta;
+  Complex second_r, second_theta;                ///< the same for the second series
+  Complex second_r_change, second_theta_change;  ///< their derivatives by log r
+  double value, slope, curvature;                ///< P_n(cos theta) and its first two derivatives by theta
+};
+
+/// Calls use(n, degree) for n = 1 .. order, at a point around a sphere.
+template <typename Use>
+void for_each_degree(double radius, Complex alpha, int order, const Polar& place, const Use& use) {
+  const auto [r, cosine, sine] = place;
+  const Complex x = alpha * r, kappa = alpha * radius;
+  const bool is_viscous = has_viscous_series(kappa);
+  const Complex decay = is_viscous ? std::exp(-x) : std::exp(kappa - x);
+  Complex g_two_below = 0, g_below = decay, g = (1.0 + x) * decay;  // g_(n-2), g_(n-1) and g_n
+  Complex h = is_viscous ? first_h(x) : 0;
+  double below = 1, value = cosine, derivative = 1;  // P_(n-1), P_n and dP_n/dcos(theta)
+  const double q = radius / r;
+  double power = q;  // q^n
+  for (int n = 1; n <= order; ++n, power *= q) {
+    if (!is_viscous) h = -2.0 * (2 * n - 1) * g / (x * x);
+    const Complex g_below_slope = n == 1 ? -x * decay : -x * x * g_two_below / (2.0 * n - 3);  // x g_(n-1)'
+    const double steeper = power * q * q;                                                      // q^(n+2)
+    // clang-format off
+    use(n, Degree{.first_r = -(n + 1) * steeper,
+                  .first_theta = steeper,
+                  .second_r = n * (n + 1) * power * h,
+                  .second_theta = power * (2.0 * g_below - double(n) * h),
+                  .second_r_change = n * (n + 1) * power * (2.0 * g_below - (n + 2.0) * h),
+                  .second_theta_change = power * (-4.0 * n * g_below + n * (n + 2.0) * h + 2.0 * g_below_slope),
+                  .value = value,
+                  .slope = -sine * derivative,
+                  .curvature = -n * (n + 1) * value + cosine * derivative});
+    // clang-format on
+    if (is_viscous) h = ((2.0 * n + 1) * h - 2.0 * g_below) / (2.0 * n - 1);
+    const Complex g_above = g + x * x * g_below / ((2.0 * n + 1) * (2.0 * n - 1));
+    g_two_below = g_below;
+    g_below = g;
+    g = g_above;
+    const double next = ((2 * n + 1) * cosine * value - n * below) / (n + 1);
+    derivative = (n + 1) * value + cosine * derivative;
+    below = value;
+    value = next;
+  }
 }
 
 }  // namespace
@@ -146,12 +113,19 @@ OscillatingSpheres::OscillatingSpheres(std::span<const double> radii, std::span<
       const double root = std::sqrt(weight), sine = std::sqrt(1 - cosine * cosine);
       motion(row, i) = root;
       for (int j = 0; j < spheres; ++j) {
-        const auto [r, c, s] =
+        const Polar place =
             i == j ? Polar{radius_[i], cosine, sine}
                    : polar_of(position_[i] - position_[j] + radius_[i] * cosine, radius_[i] * sine);
-        const Multipoles m = multipoles_of(radius_[j], alpha, order, r, c, s);
-        matrix.block(row, 2 * order * j, 1, 2 * order) = root * (c * m.row(0) - s * m.row(1));
-        matrix.block(row + 1, 2 * order * j, 1, 2 * order) = root * (s * m.row(0) + c * m.row(1));
+        const Eigen::Matrix2d axes = root * axes_of(place);
+        for_each_degree(radius_[j], alpha, order, place, [&](int n, const Degree& degree) {
+          const int first = 2 * order * j + n - 1;
+          const auto set = [&](int column, Complex u_r, Complex u_theta) {
+            matrix.block<2, 1>(row, column) =
+                axes * Eigen::Vector2cd(u_r * degree.value, u_theta * degree.slope);
+          };
+          set(first, degree.first_r, degree.first_theta);
+          set(first + order, degree.second_r, degree.second_theta);
+        });
       }
       row += 2;
     }
@@ -169,11 +143,18 @@ OscillatingSpheres::OscillatingSpheres(std::span<const double> radii, std::span<
 }
 
 Eigen::Matrix2Xcd OscillatingSpheres::velocity(double x, double s) const {
-  Eigen::Matrix2Xcd sum = Eigen::Matrix2Xcd::Zero(2, count());
+  Eigen::Matrix2Xcd sum = Eigen::Matrix2Xcd::Zero(2, count()), own(2, count());
   for (int j = 0; j < count(); ++j) {
     const Polar place = polar_of(x - position_[j], s);
-    const Multipoles m = multipoles_of(radius_[j], alpha_, order_, place.r, place.cosine, place.sine);
-    sum += axes_of(place).cast<Complex>() * (m.topRows(2) * own_coefficients(j));
+    own.setZero();
+    for_each_degree(radius_[j], alpha_, order_, place, [&](int n, const Degree& degree) {
+      for (int k = 0; k < count(); ++k) {
+        const auto [first, second] = coefficients_of(j, n, k);
+        own(0, k) += degree.value * (degree.first_r * first + degree.second_r * second);
+        own(1, k) += degree.slope * (degree.first_theta * first + degree.second_theta * second);
+      }
+    });
+    sum += axes_of(place) * own;
   }
   return sum;
 }
@@ -181,11 +162,26 @@ Eigen::Matrix2Xcd OscillatingSpheres::velocity(double x, double s) const {
 FlowAtPoint OscillatingSpheres::at(double x, double s) const {
   FlowAtPoint flow{.velocity = Eigen::Matrix2Xcd::Zero(2, count()), .gradient = {}};
   flow.gradient.setZero(4, count());
+  // Rows: u_r, u_theta, r du_r/dr, r du_theta/dr, du_r/dtheta, du_theta/dtheta.
+  Eigen::Matrix<Complex, 6, Eigen::Dynamic> own(6, count());
   for (int j = 0; j < count(); ++j) {
     const Polar place = polar_of(x - position_[j], s);
-    const Multipoles own =
-        multipoles_of(radius_[j], alpha_, order_, place.r, place.cosine, place.sine) * own_coefficients(j);
-    const Eigen::Matrix2cd axes = axes_of(place).cast<Complex>();
+    own.setZero();
+    for_each_degree(radius_[j], alpha_, order_, place, [&](int n, const Degree& degree) {
+      for (int k = 0; k < count(); ++k) {
+        const auto [first, second] = coefficients_of(j, n, k);
+        const Complex first_r = degree.first_r * first, first_theta = degree.first_theta * first;
+        const Complex u_r = first_r + degree.second_r * second;
+        const Complex u_theta = first_theta + degree.second_theta * second;
+        own(0, k) += degree.value * u_r;
+        own(1, k) += degree.slope * u_theta;
+        own(2, k) += degree.value * (degree.second_r_change * second - (n + 2.0) * first_r);
+        own(3, k) += degree.slope * (degree.second_theta_change * second - (n + 2.0) * first_theta);
+        own(4, k) += degree.slope * u_r;
+        own(5, k) += degree.curvature * u_theta;
+      }
+    });
+    const Eigen::Matrix2d axes = axes_of(place);
     flow.velocity += axes * own.topRows(2);
     for (int k = 0; k < count(); ++k) {
       Eigen::Matrix2cd polar;  // row: direction of the derivative; column: component

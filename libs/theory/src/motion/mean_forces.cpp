@@ -44,6 +44,7 @@ std::vector<MatrixXcd> reynolds_forms(const OscillatingSpheres& unsteady, const 
     positions.push_back(unsteady.position(i));
   }
   std::vector<MatrixXcd> forms(count, MatrixXcd::Zero(count, count));
+  Eigen::Matrix2Xcd stress(2, count);
   for (const auto& [x, s, weight] : outside_nodes(radii, positions, depth, nodes)) {
     const Eigen::Matrix2Xcd u = unsteady.velocity(x, s);
     const auto towed = steady.at(x, s).gradient.real().eval();
@@ -51,7 +52,8 @@ std::vector<MatrixXcd> reynolds_forms(const OscillatingSpheres& unsteady, const 
       const double shear = (towed(1, k) + towed(2, k)) / 2;
       Eigen::Matrix2d strain;
       strain << towed(0, k), shear, shear, towed(3, k);
-      forms[k] += (fluid_density * weight) * (u.transpose() * strain.cast<Complex>() * u.conjugate());
+      stress = (fluid_density * weight * strain).lazyProduct(u.conjugate());
+      forms[k] += u.transpose().lazyProduct(stress);
     }
   }
   return forms;

@@ -74,8 +74,15 @@ class OscillatingSpheres {
   Eigen::RowVectorXcd surface_shear(int sphere, double cosine) const;
 
  private:
-  auto own_coefficients(int sphere) const {
-    return coefficients_.middleRows(2 * order_ * sphere, 2 * order_);
+  /// Coefficients of degree n of the first and the second series.
+  struct Coefficients {
+    std::complex<double> first, second;
+  };
+
+  /// Returns the coefficients of a sphere while the sphere `moving` moves.
+  Coefficients coefficients_of(int sphere, int n, int moving) const {
+    const int row = 2 * order_ * sphere + n - 1;
+    return {.first = coefficients_(row, moving), .second = coefficients_(row + order_, moving)};
   }
 
   std::vector<double> radius_, position_;
