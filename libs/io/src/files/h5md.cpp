@@ -50,23 +50,20 @@ int lock_output(const std::string& path, const Communicator& communicator) {
   return part;
 }
 
-/// Opens PATH.part on all ranks: as an empty file, or with the trajectory that the checkpoint contains.
-/// `locked` is the file descriptor of PATH.part on rank 0.
-H5Handle open_file(const std::string& path, int locked, const CheckpointReader* checkpoint,
-                   const Communicator& communicator) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // exceptions replace HDF5's error messages on stderr
+/// Opens PATH.part: as an empty file, or with the trajectory that it contains. This process has locked it, so
+/// that HDF5 must not.
+H5Handle open_file(const std::string& path, bool has_trajectory) {
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
-  check_hdf5(H5Pset_fapl_mpio(access, communicator.get(), MPI_INFO_NULL), path);
-  if (checkpoint != nullptr) checkpoint->copy_to(trajectory_section, locked);
-  MPI_Barrier(communicator.get());
+  check_hdf5(H5Pset_file_locking(access, false, true), path);
   const std::string part = part_name(path);
-  const hid_t file = checkpoint != nullptr ? H5Fopen(part.c_str(), H5F_ACC_RDWR, access)
-                                           : H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  const hid_t file = has_trajectory ? H5Fopen(part.c_str(), H5F_ACC_RDWR, access)
+                                    : H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   if (file < 0) {
-    throw InputError(Setting::output,
-                     path +
-                         ": HDF5 cannot create the file; on a network file system that does not support "
-                         "locks, set the environment variable HDF5_USE_FILE_LOCKING=FALSE");
+    throw SolverError(
+        has_trajectory ? fmt::format("{}: the trajectory in the checkpoint is damaged; take the run's other "
+                                     "checkpoint (.ckpt.0 or .ckpt.1), or begin without {}",
+                                     part, Setting::restart)
+                       : part + ": HDF5 cannot create the trajectory; is the disk full?");
   }
   return {file, H5Fclose, path};
 }
@@ -106,19 +103,25 @@ std::vector<float> flattened(const std::vector<Vec3>& vectors) {
 TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHeader& header,
                                    const Communicator& communicator, const CheckpointReader* checkpoint)
     : path_(path),
-      root_(communicator.is_root()),
-      comm_(communicator.get()),
+      communicator_(communicator),
       box_(header.box),
-      beads_(header.bead.size()),
       continues_checkpoint_(checkpoint != nullptr),
-      lock_(lock_output(path, communicator)),
-      file_(open_file(path, lock_.descriptor, checkpoint, communicator)) {
+      lock_(lock_output(path, communicator)) {
+  on_root([&] {
+    if (checkpoint != nullptr) checkpoint->copy_to(trajectory_section, lock_.descriptor);
+    open(header);
+  });
+}
+
+void TrajectoryWriter::open(const TrajectoryHeader& header) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // exceptions replace HDF5's error messages on stderr
+  file_ = open_file(path_, continues_checkpoint_);
   if (!continues_checkpoint_) create_groups(header);
-  const hsize_t swimmers = header.swimmers();
+  const hsize_t beads = header.bead.size(), swimmers = header.swimmers();
   add_element(frames_, "particles/beads/box/edges", H5T_NATIVE_DOUBLE, {3, 3});
-  add_element(frames_, "particles/beads/position", H5T_NATIVE_FLOAT, {beads_, 3});
-  add_element(frames_, "particles/beads/image", H5T_NATIVE_INT, {beads_, 3});
-  add_element(frames_, "particles/beads/velocity", H5T_NATIVE_FLOAT, {beads_, 3});
+  add_element(frames_, "particles/beads/position", H5T_NATIVE_FLOAT, {beads, 3});
+  add_element(frames_, "particles/beads/image", H5T_NATIVE_INT, {beads, 3});
+  add_element(frames_, "particles/beads/velocity", H5T_NATIVE_FLOAT, {beads, 3});
   add_element(frames_, "observables/mean_flow", H5T_NATIVE_DOUBLE, {3});
   add_element(frames_, "observables/momentum", H5T_NATIVE_DOUBLE, {3});
   write_units(header);
@@ -127,6 +130,19 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHead
     row.insert(row.end(), column.shape.begin(), column.shape.end());
     add_element(cycles_, swimmers_group + column.name, H5T_NATIVE_DOUBLE, row);
   }
+}
+
+void TrajectoryWriter::on_root(const std::function<void()>& write) const {
+  std::string fault;
+  if (communicator_.is_root()) {
+    try {
+      write();
+    } catch (const SolverError& error) {
+      fault = error.what();
+    }
+  }
+  broadcast(fault, communicator_);
+  if (!fault.empty()) throw SolverError(fault);
 }
 
 void TrajectoryWriter::write_units(const TrajectoryHeader& header) {
@@ -138,13 +154,6 @@ void TrajectoryWriter::write_units(const TrajectoryHeader& header) {
                                    {"particles/beads/velocity/value", velocity_unit},
                                    {"observables/mean_flow/value", velocity_unit}})
     write_variable_attribute(series_.at(name).dataset, "unit", unit);
-}
-
-TrajectoryWriter::~TrajectoryWriter() {
-  // An error may have occurred on one rank only. Closing the file would then wait for the other ranks.
-  if (std::uncaught_exceptions() <= exceptions_) return;
-  for (auto& [name, series] : series_) series.dataset.leave_open();
-  file_.leave_open();
 }
 
 void TrajectoryWriter::create_groups(const TrajectoryHeader& header) {
@@ -245,16 +254,9 @@ void TrajectoryWriter::append_row(const std::string& name, const void* data) {
   const H5Handle in_file(H5Dget_space(series.dataset), H5Sclose, what);
   const H5Handle in_memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose,
                            what);
-  if (root_) {
-    check_hdf5(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
-               what);
-  } else {
-    check_hdf5(H5Sselect_none(in_file), what);
-    check_hdf5(H5Sselect_none(in_memory), what);
-  }
-  const H5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose, what);
-  check_hdf5(H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE), what);
-  require_written(H5Dwrite(series.dataset, series.type, in_memory, in_file, transfer, data));
+  check_hdf5(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+             what);
+  require_written(H5Dwrite(series.dataset, series.type, in_memory, in_file, H5P_DEFAULT, data));
   ++series.rows;
 }
 
@@ -268,31 +270,33 @@ void TrajectoryWriter::require_written(herr_t status) const {
 }
 
 void TrajectoryWriter::append(const TrajectoryFrame& frame) {
-  const WrappedPositions wrapped = wrap(frame.positions, box_);
-  const std::vector<float> velocities = flattened(frame.velocities);
-  const Eigen::Matrix3d edges = (box_ ? box_->lengths : Vec3::Zero()).asDiagonal();
-  append_row(frames_.step_name, &frame.step);
-  append_row(frames_.time_name, &frame.time);
-  append_row("particles/beads/box/edges/value", edges.data());
-  append_row("particles/beads/position/value", wrapped.position.data());
-  append_row("particles/beads/image/value", wrapped.image.data());
-  append_row("particles/beads/velocity/value", velocities.data());
-  append_row("observables/mean_flow/value", frame.mean_flow.data());
-  append_row("observables/momentum/value", frame.momentum.data());
-  flush();
+  on_root([&] {
+    const WrappedPositions wrapped = wrap(frame.positions, box_);
+    const std::vector<float> velocities = flattened(frame.velocities);
+    const Eigen::Matrix3d edges = (box_ ? box_->lengths : Vec3::Zero()).asDiagonal();
+    append_row(frames_.step_name, &frame.step);
+    append_row(frames_.time_name, &frame.time);
+    append_row("particles/beads/box/edges/value", edges.data());
+    append_row("particles/beads/position/value", wrapped.position.data());
+    append_row("particles/beads/image/value", wrapped.image.data());
+    append_row("particles/beads/velocity/value", velocities.data());
+    append_row("observables/mean_flow/value", frame.mean_flow.data());
+    append_row("observables/momentum/value", frame.momentum.data());
+    flush();
+  });
 }
 
 void TrajectoryWriter::append(const TrajectoryCycle& cycle) {
-  append_row(cycles_.step_name, &cycle.step);
-  append_row(cycles_.time_name, &cycle.time);
-  for (const Column& column : cycle.columns)
-    append_row(swimmers_group + column.name + "/value", column.numbers.data());
-  flush();
+  on_root([&] {
+    append_row(cycles_.step_name, &cycle.step);
+    append_row(cycles_.time_name, &cycle.time);
+    for (const Column& column : cycle.columns)
+      append_row(swimmers_group + column.name + "/value", column.numbers.data());
+    flush();
+  });
 }
 
 void TrajectoryWriter::add_to(CheckpointWriter& checkpoint) const {
-  flush();
-  MPI_Barrier(comm_);
   checkpoint.add_file(trajectory_section, part_name(path_));
 }
 
@@ -301,16 +305,15 @@ TrajectoryWriter::Lock::~Lock() {
 }
 
 void TrajectoryWriter::finish() {
-  for (auto& [name, series] : series_) series.dataset.close_checked(path_ + ":/" + name);
-  file_.close_checked(path_);
-  MPI_Barrier(comm_);
-  int reason = root_ ? name_finished_file(path_) : 0;
-  MPI_Bcast(&reason, 1, MPI_INT, 0, comm_);
-  if (reason != 0) {
-    throw SolverError(
-        fmt::format("the complete trajectory {} cannot be renamed to {}: {}; rename the file by hand",
-                    part_name(path_), path_, std::strerror(reason)));
-  }
+  on_root([&] {
+    for (auto& [name, series] : series_) series.dataset.close_checked(path_ + ":/" + name);
+    file_.close_checked(path_);
+    if (const int reason = name_finished_file(path_); reason != 0) {
+      throw SolverError(
+          fmt::format("the complete trajectory {} cannot be renamed to {}: {}; rename the file by hand",
+                      part_name(path_), path_, std::strerror(reason)));
+    }
+  });
 }
 
 }  // namespace beadswim

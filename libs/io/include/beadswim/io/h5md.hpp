@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <exception>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -70,16 +70,17 @@ struct TrajectoryCycle {
 /// Returns the components x, y, z of all vectors in single precision.
 std::vector<float> flattened(const std::vector<Vec3>& vectors);
 
-/// Writes a trajectory frame by frame. All functions are collective and throw SolverError if the file cannot
-/// be written. The file is named PATH.part until finish(). Each frame is flushed, so that the file of a
-/// killed run contains only complete frames. The bytes of the file do not depend on the number of ranks.
+/// Writes a trajectory frame by frame. All functions are collective and throw SolverError on all ranks if the
+/// file cannot be written. Only rank 0 writes, without MPI-IO, which would wait for the disk after each
+/// frame. The file is named PATH.part until finish(). Each frame is passed to the operating system, so that
+/// the file of a killed run contains only complete frames. The bytes of the file do not depend on the number
+/// of ranks.
 class TrajectoryWriter {
  public:
   /// Creates PATH.part. With a checkpoint, the file starts with the frames that the checkpoint contains.
   /// Throws InputError if the file cannot be created or another process is writing it.
   TrajectoryWriter(const std::string& path, const TrajectoryHeader& header, const Communicator& communicator,
                    const CheckpointReader* checkpoint = nullptr);
-  ~TrajectoryWriter();
   TrajectoryWriter(const TrajectoryWriter&) = delete;
   TrajectoryWriter& operator=(const TrajectoryWriter&) = delete;
 
@@ -93,6 +94,11 @@ class TrajectoryWriter {
   void finish();
 
  private:
+  /// Calls write() on rank 0. Throws its SolverError on all ranks. Collective.
+  void on_root(const std::function<void()>& write) const;
+
+  // The remaining functions are for rank 0.
+
   /// A dataset to which rows are appended.
   struct Series {
     H5Handle dataset;
@@ -116,6 +122,7 @@ class TrajectoryWriter {
     int descriptor;
   };
 
+  void open(const TrajectoryHeader& header);
   void write_metadata(const TrajectoryHeader& header);
   void write_units(const TrajectoryHeader& header);
   void create_groups(const TrajectoryHeader& header);
@@ -131,13 +138,10 @@ class TrajectoryWriter {
   void require_written(herr_t status) const;
 
   std::string path_;
-  bool root_;
-  MPI_Comm comm_;
+  const Communicator& communicator_;
   std::optional<Box> box_;
-  std::size_t beads_;
   bool continues_checkpoint_;  ///< true if the file comes from a checkpoint
   Lock lock_;
-  int exceptions_ = std::uncaught_exceptions();  ///< number of active exceptions at construction
   H5Handle file_;
   std::map<std::string, Series> series_;  ///< keys: paths in the file
   Sampling frames_, cycles_;

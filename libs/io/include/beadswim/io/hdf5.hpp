@@ -14,6 +14,9 @@ class H5Handle {
  public:
   using Close = herr_t (*)(hid_t);
 
+  /// Owns nothing.
+  H5Handle() = default;
+
   /// Throws SolverError if `id` is negative. `what` names the object in the message.
   H5Handle(hid_t id, Close close, const std::string& what);
   ~H5Handle();
