@@ -26,6 +26,15 @@ for model in rpy oseen rpy+near; do
 done
 check "the trajectory has frames and axes without a box" test "$(h5dump -H -d /particles/beads/position/value rpy.h5md | grep -c '161, 3, 3')" -eq 1
 
+# --- springs so stiff that the velocity is roundoff of the positions: the run says so
+beadswim-layout swimmer --preset paper-single --unbounded --period 2000 --amplitude 0.2 --stiffness 3.47e6 >stiff.json
+beadswim-theory stiff.json --method multipole-ode >theory.json
+run beadswim-run stiff.json --model rpy+near -o stiff.h5md --cycles 3 --progress none
+err_has 'the velocity is expected to be wrong by more than 1000 %'
+check "the stated uncertainty covers the error" holds --slurpfile theory theory.json \
+  '.swimmers[0] | (.cycles[-1].speed_along_axis / $theory[0].predictions[0].velocity - 1 | fabs) as $error
+    | $error > 1 and .uncertainty.velocity.total > $error' out
+
 # --- in the layout's own box, periodic and midway between walls
 for boundary in periodic periodic,free-slip,free-slip; do
   beadswim-layout swimmer --preset paper-single --box 100,60,60 --boundary $boundary --amplitude 0.2 >box.json

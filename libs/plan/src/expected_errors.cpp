@@ -26,7 +26,7 @@ ExpectedErrors expected_errors(const Layout& layout, MobilityModel model, const 
   const SceneFacts facts = scene_facts(layout, cycles);
   require_validated(facts);
   return {.total = mobility_scene_error(facts, model, settings),
-          .resolution = {.velocity = velocity_error_of_steps(model, settings)},
+          .resolution = {.velocity = velocity_error_of_steps(model, settings) + position_roundoff(facts)},
           .wander = {},
           .box = box_changes(facts)};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -156,6 +157,20 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
 
 }  // namespace
 
+double position_roundoff(const SceneFacts& facts) {
+  double largest = 0;
+  for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts) {
+    if (!swimmer_facts.best || !swimmer_facts.best->is_swimming) continue;
+    const CollinearSwimmer& swimmer = swimmer_facts.representative.question.swimmer;
+    double farthest = swimmer.arm[0] + swimmer.arm[1];
+    for (const Swimmer& placed : facts.cell.swimmers)
+      farthest = std::max(farthest, placed.position.cwiseAbs().maxCoeff());
+    largest = std::max(largest, 4 * std::numeric_limits<double>::epsilon() * farthest /
+                                    (swimmer.period * std::abs(swimmer_facts.best->velocity)));
+  }
+  return largest;
+}
+
 ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model,
                                    const MobilitySettings& settings) {
   if (const std::string film = mobility_obstacle(facts); !film.empty()) throw InputError(film);
@@ -163,7 +178,7 @@ ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model,
     return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model, settings);
   };
   ErrorEstimate error = scene_error(facts, error_of, model != MobilityModel::unsteady);
-  error.velocity += wall_error(facts.height, model, settings);
+  error.velocity += wall_error(facts.height, model, settings) + position_roundoff(facts);
   return error;
 }
 

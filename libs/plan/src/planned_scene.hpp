@@ -79,7 +79,7 @@ ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of, bool
 
 /// Start-up cost per rank [core-seconds] and memory of the program per rank without a scene [byte], measured
 /// in short runs.
-constexpr double start_seconds = 0.05, program_bytes = 3.5e7;
+constexpr double start_seconds = 0.01, program_bytes = 3.5e7;
 
 /// Returns the disk space of the trajectory, the flow fields and the checkpoints [byte] for the given numbers
 /// of beads and lattice cells. `bytes_per_cell`: state of one lattice cell [byte].
@@ -97,6 +97,11 @@ struct LatticeErrors {
 /// swimmer.
 LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const SceneFacts& facts,
                                    double roundoff);
+
+/// Returns the largest relative error of the velocity of a mobility run by the roundoff of bead positions x,
+/// from which it computes the displacement in a period T: 4 eps max|x|/(T |v|), as measured with stiff
+/// springs.
+double position_roundoff(const SceneFacts& facts);
 
 /// Returns the expected error of a run with a mobility model. Throws InputError if theory cannot predict the
 /// motion of a swimmer, or if no mobility model is accurate for the scene.
