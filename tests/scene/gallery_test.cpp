@@ -90,6 +90,20 @@ TEST(Gallery, TheFlagellumHasItsSpermNumber) {
   EXPECT_NEAR(length * std::pow(drag * 2 * pi / flagellum.period / rigidity, 0.25), 2.5, 1e-12);
 }
 
+// A stiff flagellum with the drag ζ per length turns by torque/(ζ length^3/12 omega).
+TEST(Gallery, DefaultForcesDoNotTurnAStiffFlagellumOver) {
+  for (const double sperm_number : {0.1, 1.0, 2.0}) {
+    Flagellum flagellum;
+    flagellum.sperm_number = sperm_number;
+    const SwimmerType type = swimmer_type(flagellum, fluid);
+    const double arm = 2.5 * flagellum.radius[0], length = (flagellum.beads - 1) * arm;
+    const double drag = 4 * pi * 0.3 / (std::log(length / flagellum.radius[0]) + 0.5);
+    const double torque = type.driving.forces[0].harmonics[0].amplitude * arm;
+    const double angle = torque / (drag * std::pow(length, 3) / 12 * 2 * pi / flagellum.period);
+    EXPECT_NEAR(angle, 0.75, 1e-12) << sperm_number;
+  }
+}
+
 TEST(Gallery, TheSphereMovesByARadiusInAPeriod) {
   TowedSphere sphere;
   sphere.radius = {2};

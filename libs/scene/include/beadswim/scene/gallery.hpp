@@ -65,14 +65,14 @@ struct PurcellChain : BondedSwimmer {
 
 /// Straight elastic chain of beads along x. A couple of forces, A sin(w t) along y on the last bead and
 /// -A sin(w t) on its neighbour, swings the end; waves of bending run to the other end and push the chain
-/// along x. nullopt for the stiffness of the bonds: stiff_bond(), or 100 A divided by their length, if this is
-/// more. Wiggins and Goldstein, Phys. Rev. Lett. 80 (1998) 3879; Dreyfus et al., Nature 437 (2005) 862.
+/// along x. nullopt for the stiffness of the bonds: stiff_bond(), or 100 A divided by their length, if this
+/// is more. Wiggins and Goldstein, Phys. Rev. Lett. 80 (1998) 3879; Dreyfus et al., Nature 437 (2005) 862.
 struct Flagellum : BondedSwimmer {
   int beads = 16;                           ///< at least 3
   std::optional<double> arm;                ///< distance of neighbouring beads; nullopt: 2.5 a [length]
   double sperm_number = 3;                  ///< of a slender rod with these beads, sperm_number()
   std::optional<double> angular_stiffness;  ///< K_A; nullopt: that of `sperm_number` [energy]
-  std::optional<double> amplitude;          ///< A; nullopt: K_A S/(2 L) for the sperm number S [force]
+  std::optional<double> amplitude;  ///< A; nullopt: K_A S/(2 L) min(1, (S/2)^3), S: sperm number [force]
   DrivingFrame frame = DrivingFrame::initial_axis;
 };
 
