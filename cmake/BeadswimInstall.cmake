@@ -29,7 +29,7 @@ install(FILES cmake/BeadswimConfig.cmake cmake/BeadswimDependencies.cmake ${CMAK
 
 # Makes the manual pages from the help texts of the programs.
 find_program(HELP2MAN help2man)
-set(name_of_layout "make, disturb, reduce and check layouts of bead-spring microswimmers")
+set(name_of_layout "make, vary, disturb, reduce and check layouts of bead-spring microswimmers")
 set(name_of_run "run a layout of bead-spring microswimmers in a viscous fluid")
 set(name_of_theory "predict velocity and stroke of a bead-spring microswimmer")
 set(name_of_compare "compare runs of microswimmers with predictions or other runs")

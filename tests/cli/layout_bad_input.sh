@@ -52,9 +52,9 @@ bad 'a unit that has no name' 's/"lattice"/{ "length": "lambda", "time": "s", "m
   '/units/length: "lambda": the value must be one of .*, or an object such as \{"name":"my length","si_factor":1e-07\}'
 bad 'an imposed flow' 's/"fluid": {/"shear": { "rate": 1 }, &/' '/shear: imposed flow has other keys: "flow" of .*; remove the key'
 bad 'a sheared fluid' 's/"kinematic_viscosity"/"velocity_gradient": [0, 1, 0], &/' '/fluid/velocity_gradient: imposed flow has other keys'
-bad 'a prescribed stroke' 's/"frame": "lab"/&, "stroke": {}/' '/types/a/driving/stroke: this version has no prescribed stroke: .*amplitude, phase, period'
-bad 'a prescribed arm' 's/"frame": "lab"/&, "rest_length": [20, 21]/' '/types/a/driving/rest_length: this version has no prescribed stroke'
-bad 'a swimmer at a temperature' 's/"id": 0/&, "temperature": 300/' '/swimmers/0/temperature: this version has neither gravity nor thermal noise'
+bad 'a prescribed stroke' 's/"frame": "lab"/&, "stroke": {}/' '/types/a/driving/stroke: version 1 of the layout has no prescribed stroke: .*amplitude, phase, period'
+bad 'a prescribed arm' 's/"frame": "lab"/&, "rest_length": [20, 21]/' '/types/a/driving/rest_length: version 1 of the layout has no prescribed stroke: .*shape prescribed-three-bead'
+bad 'a swimmer at a temperature' 's/"id": 0/&, "temperature": 300/' '/swimmers/0/temperature: this version has neither gravity nor thermal noise; .*net_force'
 bad 'unknown type' 's/"type": "a"/"type": "b"/' '/swimmers/0/type: the swimmer type "b" is not defined under /types\.'
 bad 'id given twice' "s/$swimmer/$swimmer, { \"id\": 0, \"type\": \"a\", \"position\": [36, 25, 15], \"axis\": [1, 0, 0] }/" \
   '/swimmers/1/id: the id 0 is already used by /swimmers/0'
@@ -65,7 +65,7 @@ bad 'another document' 's#layout/1#run/1#' '/schema: the schema "beadswim/run/1"
 bad 'no schema' 's/"schema": [^\n]*//' ' the document lacks the key "schema"'
 bad 'comment' 's/"units"/\/\/ comment\n  "units"/' ' line 3, column '
 bad 'text after the document' 's/$/x/' ' line '
-bad 'two documents' 's/$/{}/' ' line [0-9]+, column 1: a second JSON document begins here, but only one document is read; select one document, for example with head or jq'
+bad 'two documents' 's/$/{}/' ' line [0-9]+, column 1: a second JSON document begins here, but only one document is read; write one document per line \(JSON Lines\), or select one document, for example with jq'
 
 for length in 1 50 100 500; do
   head -c $length sound.json >bad.json

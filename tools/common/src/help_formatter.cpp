@@ -38,7 +38,7 @@ std::string format_properties(const CLI::Option& option, const std::string& unit
   std::vector<std::string> parts;
   if (!unit.empty()) parts.push_back(unit);
   const bool takes_value = option.get_items_expected_max() != 0;
-  if (takes_value && !option.get_default_str().empty())
+  if (takes_value && !option.get_required() && !option.get_default_str().empty())
     parts.push_back("default: " + option.get_default_str());
   if (option.get_required()) parts.emplace_back("required");
   return parts.empty() ? "" : " [" + CLI::detail::join(parts, "; ") + "]";

@@ -85,8 +85,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     const std::string what =
         error.id == number_overflow ? fmt::format("the number {} is beyond the range of a double", token)
         : is_second_document(byte)  ? "a second JSON document begins here, but only one document is read; "
-                                      "select one document, for example with head or jq (only beadswim-plot, "
-                                      "and beadswim-theory for streams of layouts, read one document per line)"
+                                      "write one document per line (JSON Lines), or select one document, for "
+                                      "example with jq"
                                     : explanation(text_, byte, error.what());
     throw InputError(source_, line_and_column(text_, byte) + ": " + what);
   }
