@@ -1,19 +1,37 @@
-# Prints the tables of docs/speed-against-error.md from the records of speed-against-error.sh and an extrapolated reference:
-# errors relative to the reference (v: mean ± standard deviation over positions within a cell) and core-seconds per cycle, for
-# runs in double precision with τ up to 2 (bead boundaries other than mr: τ = 1.5).
+# Prints the tables of docs/speed-against-error.md:
+#   speed-against-error-tables.sh FOLDER
+# Input: one object per scene, {title, runs: [records], reference: record}. Errors are root mean squares over runs and swimmers,
+# relative to the reference; costs are medians, in core-seconds per cycle.
 include "percentages";
-$reference[0].predictions[0] as $r
-| def v: .v / $r.velocity - 1; def d2: .d2 / $r.arm_amplitudes[1] - 1;
-def numbers: map(seen) | "\(map(v) | percent_and_spread), \(map(d2) | mean | percent); \(map(.cost) | median | two_digits)";
+def axial: .speed_along_axis - ([.mean_flow, .axis] | transpose | map(.[0] * .[1]) | add);
+def rms: map(. * .) | mean | sqrt;
+def errors($found; $reference): [$found, $reference] | transpose | map(.[0] / .[1] - 1);
+def cycle: .swimmers | map(.cycles[-1]);
+def name: if .resolution then (.resolution | "`\(.bead_boundary)`, τ = \(.relaxation_time * 10 | round / 10), \(.cells_per_radius) cells"
+      + (if .precision == "single" then ", single" else "" end) + (if (.levels | length) > 1 then ", levels" else "" end))
+  else "`\(.model)`" + (.mobility.multipole_order | if . then ", order \(.)" else "" end) end;
+def rank: if .resolution then .resolution | [1, ({"staircase": 1, "cli": 2, "psm": 3, "mr": 4}[.bead_boundary]), -(.relaxation_time * 10 | round), .precision, (.levels | length), .cells_per_radius]
+  else [0, .model, .mobility.multipole_order] end;
+def number: if . >= 9.95 then round else (if . >= 0.995 then 10 else 100 end) as $n | . * $n | round / $n end | tostring;
+def percents: 100 * . | number;
+# Returns the settings of a scene, each with its errors and its cost.
+def settings: (.reference | cycle) as $reference | .runs | group_by(rank)
+  | map({name: (.[0] | name), rank: (.[0] | rank),
+         v: (map(errors(cycle | map(axial); $reference | map(axial))) | add | rms),
+         arms: (map(errors(cycle | map(.arm_amplitudes[]); $reference | map(.arm_amplitudes[]))) | add | rms),
+         cost: (map(.cost.core_seconds / .swimmers[0].cycles[-1].index) | median)});
+def uncertainty: [.reference.swimmers[].uncertainty.velocity.total] | rms;
 def row: "| " + join(" | ") + " |";
-map(select(.resolution == null)) as $models
-| map(select(.resolution | .precision == "double" and .cells_per_radius <= 6 and .relaxation_time < 2.5
-    and (.bead_boundary == "mr" or .relaxation_time > 1.2))) as $lattices
-| ($lattices | map(.resolution.cells_per_radius) | unique) as $cells
-| "| mobility model | error of velocity v, arm amplitude d2 [%]; core-seconds per cycle |", "|---|---|",
-($models | group_by([.model, .mobility.multipole_order])[]
-  | ["`\(.[0].model)`" + (.[0].mobility.multipole_order | if . then ", order \(.)" else "" end), numbers] | row),
-(["bead boundary, relaxation time τ"] + ($cells | map("\(.) cells per radius") | .[0] += ": error of v ± SD, d2 [%]; core-seconds per cycle") | row, (map("---") | "|" + join("|") + "|")),
-($lattices | group_by([(.resolution.bead_boundary | {"staircase": 1, "cli": 2, "psm": 3, "mr": 4}[.]), -(.resolution.relaxation_time * 10 | round)])[]
-  | . as $runs | ["\(.[0].resolution | "\(.bead_boundary), \(.relaxation_time * 10 | round / 10)")"]
-    + ($cells | map(. as $n | $runs | map(select(.resolution.cells_per_radius == $n)) | if . == [] then "-" else numbers end)) | row)
+def head: row, (map("---") | "|" + join("|") + "|");
+
+map(. + {settings: settings, uncertainty: uncertainty}) as $scenes
+| (["scene"] + ([10, 3, 1, 0.3] | map("\(.) %")) + ["uncertainty of the reference"] | head),
+  ($scenes[] | [.title] + (. as $scene | [0.1, 0.03, 0.01, 0.003] | map(. as $tolerance
+      | [$scene.settings[] | select(.v <= ([$tolerance, $scene.uncertainty] | max))] | min_by(.cost)
+      | if . then "\(.name): \(.cost | number) s" + (if $scene.uncertainty > $tolerance then " (\($scene.uncertainty | percents) %)" else "" end)
+        else "none" end)) + ["\(.uncertainty | percents) %"] | row),
+  "",
+  (["run"] + ($scenes | map(.title)) | head),
+  ([$scenes[].settings[] | {name, rank}] | unique_by(.rank)[] | . as $setting
+    | ["\(.name)"] + ($scenes | map([.settings[] | select(.rank == $setting.rank)][0]
+        | if . then "\(.v | percents), \(.arms | percents); \(.cost | number)" else "-" end)) | row)

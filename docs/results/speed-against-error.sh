@@ -1,15 +1,21 @@
 #!/bin/bash
-# Makes the records of docs/speed-against-error.md: runs of the paper's swimmer and of the unit cell of its uniform swarm with
-# different models, resolutions, bead boundaries, precisions and relaxation times, one run at a time on one rank.
-#   docs/results/speed-against-error.sh FOLDER     (half an hour; the programs on PATH)
-# Writes FOLDER/swarm.jsonl and swimmer.jsonl, one record per line with the last cycle only, and the references, swarm- and
-# swimmer-reference.json. resolution.sh makes more runs of the swimmer, with relaxation times of 0.8 to 1.5.
+# Makes the records of docs/speed-against-error.md: runs of four scenes with different models, resolutions, bead boundaries,
+# precisions, relaxation times and levels of cells, one run at a time on one rank. The references of nine and 540 swimmers run
+# on two ranks.
+#   docs/results/speed-against-error.sh FOLDER [SCENE...]     (the programs on PATH)
+# SCENE: swimmer (15 minutes), cell (10), nine (20), many (60); default: all. Writes for each scene FOLDER/SCENE.jsonl, one record
+# per line with the last cycle only, and the reference, FOLDER/SCENE-reference.json. "cell" is the unit cell of the paper's
+# uniform swarm; "many" are 540 swimmers. The reference of the swimmer is made from runs of resolution.sh.
 set -euo pipefail
 folder=${1:?name a folder for the records}
+shift
+scenes=("${@:-all}")
 results=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"
 cd "$folder"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+
+is_wanted() { [[ ${scenes[0]} == all || " ${scenes[*]} " == *" $1 "* ]]; }
 
 # Displaces the swimmer of a layout to the N-th position of a sequence that fills a lattice cell evenly.
 placed() { # CELL N
@@ -21,8 +27,20 @@ swimmer() { # CELLS-PER-RADIUS N
   beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary periodic --position 30,20,20 --period 2000 --amplitude 0.2 |
     placed "$(jq -n "4 / $1")" "$2"
 }
-swarm() { # CELLS-PER-RADIUS N
+cell() { # CELLS-PER-RADIUS N
   beadswim-layout swarm --preset paper-uniform | beadswim-layout reduce 2>/dev/null | placed "$(jq -n "6 / $1")" "$2"
+}
+nine() { # the paper's defect swarm; the arguments are not used: beads of different swimmers lie differently in their cells
+  beadswim-layout swarm --preset paper-defect
+}
+many() { # the paper's uniform swarm, disturbed
+  beadswim-layout swarm --preset paper-uniform --block-swimmers 1,3,3 --blocks 5,4,3 |
+    beadswim-layout defect phase --sigma 0.3 --seed 1 | beadswim-layout defect jitter --sigma 1 --seed 2
+}
+
+# Prints a record with its last cycle only. Records of more than 64 swimmers get every 27th swimmer of the trajectory.
+compact() { # TRAJECTORY   standard input: record
+  "$results/last-cycle.py" "$1" 27 | jq -c 'del(.provenance, .warnings) | .swimmers[].cycles |= .[-1:] | if .swarm then .swarm |= .[-1:] else . end'
 }
 
 measure() { # SCENE CYCLES CELLS-PER-RADIUS POSITIONS [FLAGS...]   prints one record per position
@@ -31,8 +49,8 @@ measure() { # SCENE CYCLES CELLS-PER-RADIUS POSITIONS [FLAGS...]   prints one re
   work=$(mktemp -d)
   for n in $(seq "$places"); do
     $scene "$cells" "$n" >"$work/layout.json"
-    beadswim-run "$work/layout.json" -o "$work/run.h5md" --cycles "$cycles" --progress none "$@" </dev/null |
-      jq -c 'del(.provenance) | .swimmers[].cycles |= .[-1:]'
+    mpirun -n "${ranks:-1}" beadswim-run "$work/layout.json" -o "$work/run.h5md" --cycles "$cycles" --progress none "$@" \
+      </dev/null | compact "$work/run.h5md"
   done
   rm -r "$work"
 }
@@ -46,45 +64,84 @@ models() { # SCENE CYCLES
   for order in 0 1 2; do measure "$1" "$2" 1 1 --model unsteady --multipole-order $order; done
 }
 
-times() { # SCENE CYCLES COARSE FINE   runs two resolutions at all relaxation times
-  for time in 0.6 0.8 1 2 3; do
-    on_lattice "$1" "$2" "$3" 4 --relaxation-time $time
-    on_lattice "$1" "$2" "$4" 2 --relaxation-time $time
+schemes() { # SCENE CYCLES POSITIONS CELLS-PER-RADIUS...   all bead boundaries with the paper's relaxation time
+  local scene=$1 cycles=$2 places=$3
+  shift 3
+  for scheme in staircase cli psm mr; do
+    for cells; do on_lattice "$scene" "$cycles" "$cells" "$places" --bead-boundary $scheme --relaxation-time 1.5; done
+  done
+}
+times() { # SCENE CYCLES POSITIONS CELLS-PER-RADIUS RELAXATION-TIME... [FLAGS...]
+  local scene=$1 cycles=$2 places=$3 cells=$4
+  shift 4
+  while [[ ${1:-} == [0-9]* ]]; do
+    on_lattice "$scene" "$cycles" "$cells" "$places" --relaxation-time "$1" "${@:2}"
+    shift
   done
 }
 
-{
-  models swarm 6
-  for scheme in staircase cli psm mr; do
-    for cells in 2.25 3 4.5; do on_lattice swarm 6 $cells 4 --bead-boundary $scheme; done
-    on_lattice swarm 6 6 2 --bead-boundary $scheme
-  done
-  for cells in 2.25 3 4.5; do on_lattice swarm 6 $cells 4 --precision single; done
-  on_lattice swarm 6 6 2 --precision single
-  times swarm 6 3 4.5
-  for scheme in staircase cli psm; do
-    on_lattice swarm 6 3 4 --bead-boundary $scheme --relaxation-time 1
-    on_lattice swarm 6 4.5 2 --bead-boundary $scheme --relaxation-time 1
-  done
-} >swarm.jsonl
+if is_wanted cell; then
+  {
+    models cell 6
+    schemes cell 6 4 2.25 3 4.5
+    schemes cell 6 2 6
+    for time in 0.6 0.8 1 2; do times cell 6 4 3 $time; done
+    for time in 0.6 0.8 1 2; do times cell 6 2 4.5 $time; done
+    for cells in 2.25 3 4.5; do times cell 6 2 $cells 1 --precision single; done
+  } >cell.jsonl
+  for scheme in mr psm; do
+    for cells in 6 9; do on_lattice cell 6 $cells 1 --bead-boundary $scheme --relaxation-time 1; done
+  done >cell-reference.jsonl
+  jq -sc -f "$results/extrapolated-record.jq" cell-reference.jsonl >cell-reference.json
+fi
 
-for scheme in mr psm; do
-  for cells in 6 9; do on_lattice swarm 6 $cells 1 --bead-boundary $scheme --relaxation-time 1; done
-done >swarm-reference.jsonl
+if is_wanted swimmer; then
+  {
+    models swimmer 4
+    schemes swimmer 4 4 2 3
+    schemes swimmer 4 2 4
+    times swimmer 4 1 6 1.5
+    for time in 0.6 0.8 1 2; do times swimmer 4 4 2 $time; done
+    for time in 0.6 0.8 1 2; do times swimmer 4 4 3 $time; done
+    times swimmer 4 2 4 1
+    for cells in 2 3 4; do times swimmer 4 2 $cells 1 --precision single; done
+  } >swimmer.jsonl
+  {
+    cat "$results/resolution-reference.json"
+    for run in '"mr", 6' '"psm", 4' '"psm", 8'; do
+      jq -nc "first(inputs | select([.resolution | .bead_boundary, .cells_per_radius, .precision, .relaxation_time, .density_on_lattice != 1]
+        == [$run, \"double\", 1.5, true]))" "$results/resolution.jsonl"
+    done
+  } | jq -sc -f "$results/extrapolated-record.jq" >swimmer-reference.json
+fi
 
-{
-  models swimmer 4
-  for time in 0.6 2 3; do
-    on_lattice swimmer 4 2 8 --relaxation-time $time
-    on_lattice swimmer 4 3 6 --relaxation-time $time
-  done
-} >swimmer.jsonl
+# Runs the two resolutions of a reference on two ranks and extrapolates them.
+extrapolate() { # SCENE CYCLES COARSE FINE
+  for cells in "$3" "$4"; do
+    ranks=2 on_lattice "$1" "$2" "$cells" 1 --relaxation-time 0.8 --precision single
+  done | jq -sc -f "$results/extrapolated-record.jq" >"$1-reference.json"
+}
 
-jq -sc -L "$results" -f "$results/extrapolated.jq" swarm-reference.jsonl >swarm-reference.json
-{
-  jq -c 'select(.resolution.bead_boundary == "mr" and .resolution.cells_per_radius == 6)' "$results/resolution.jsonl" | head -1
-  cat "$results/resolution-reference.json"
-  jq -c '.resolution as $r | select($r.bead_boundary == "psm" and $r.density_on_lattice != 1 and $r.precision == "double"
-    and $r.cells_per_radius == 4 and $r.relaxation_time == 1.5)' "$results/resolution.jsonl" | head -1
-  jq -c 'select(.resolution.bead_boundary == "psm" and .resolution.cells_per_radius == 8)' "$results/resolution.jsonl"
-} | jq -sc -L "$results" -f "$results/extrapolated.jq" >swimmer-reference.json
+if is_wanted nine; then
+  {
+    models nine 3
+    schemes nine 3 1 2 3 4.5
+    for time in 0.6 0.8 1 2; do times nine 3 1 3 $time; done
+    times nine 3 1 2 1
+    times nine 3 1 4.5 1
+    for cells in 2 3 4.5; do times nine 3 1 $cells 1 --precision single; done
+    for cells in 3 4.5; do times nine 3 1 $cells 1 --refine 1; done
+  } >nine.jsonl
+  extrapolate nine 3 4.5 6
+fi
+
+if is_wanted many; then
+  {
+    models many 3
+    for time in 1 2; do times many 3 1 2 $time --precision single; done
+    for scheme in staircase cli psm; do times many 3 1 3 1.5 --precision single --bead-boundary $scheme; done
+    for time in 0.8 1 1.5; do times many 3 1 3 $time --precision single; done
+    times many 3 1 3 1
+  } >many.jsonl
+  extrapolate many 3 3 4.5
+fi

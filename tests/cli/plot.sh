@@ -24,7 +24,7 @@ has_flags stroke --data --method --cycle --against --bonds
 has_flags velocity-against-period --data --method --cycle --relative-to --axes
 has_flags against --data --x --y --colour --group-by --log --method --cycle
 has_flags separation --data --method --cycle --relative-to --axes
-has_flags speed-against-error --data --method --cycle --reference
+has_flags speed-against-error --data --method --cycle --reference --quantity
 has_flags trajectories --data --swimmers --beads --along --against
 has_flags swarm --data --frame --colours --block-swimmers --repeat --mark --distances
 has_flags swimmer --data --swimmers
@@ -234,8 +234,8 @@ scaled() { # FACTOR CELLS SECONDS [JQ]   the run with a stroke and velocity so m
 { scaled "$(jq -n '1 + ((9 + 16 + 1) / 30000 | sqrt)')" 2 20; scaled 0.99 4 100; } >one_each.jsonl
 accepts beadswim-plot speed-against-error several.jsonl --reference run.json
 well_formed out
-drawn 6 circle     # two resolutions and the legend, in two panels
-drawn 8 polyline   # a line, the front, and their legends
+drawn 5 circle     # two resolutions in two panels, and the legend
+drawn 6 polyline   # a line and the front in two panels, and the legend
 out_has '>error of the velocity \(%\)<'
 out_has '>cli, τ = 1.5, double<'
 notes_have 'relative to the reference \(lbm, cli, 4 cells per radius\)'
@@ -272,6 +272,26 @@ refuses 'run.json: the run has an error of 0 in the velocity.*leave this file ou
 { cat several.jsonl; scaled 1.02 2 5 '| .resolution.density_on_lattice = 2'; } >corrections.jsonl
 refuses 'corrections.jsonl line 5: this run differs from .* line 1 only in --radius-correction or --delay-correction' \
   beadswim-plot speed-against-error corrections.jsonl --reference run.json
+# --- several scenes: runs belong to the reference of their box; each scene has a panel, all have one legend
+jq -c '.domain.lengths[0] += 8' several.jsonl >longer_runs.jsonl
+jq '.domain.lengths[0] += 8' run.json >longer.json
+accepts beadswim-plot speed-against-error several.jsonl longer_runs.jsonl --reference run.json,longer.json --quantity velocity
+well_formed out
+drawn 5 circle
+drawn 6 polyline
+out_has '>1 swimmer, box [0-9]+ x [0-9]+ x [0-9]+<'
+run beadswim-plot speed-against-error several.jsonl longer_runs.jsonl --reference run.json,longer.json --quantity velocity -o x.svg --data -
+errors_of() { grep "box $1 x.*cli" out | awk -F, '{ print $(NF - 1) }'; }   # the cost per period depends on the box
+check "a scene has the errors relative to its own reference" test "$(errors_of 120)" = "$(errors_of 128)"
+check "these are the errors of two resolutions" test "$(errors_of 128 | wc -l)" -eq 2
+refuses 'longer_runs.jsonl line 1: the scene .* of this run is that of no reference; add its reference' \
+  beadswim-plot speed-against-error several.jsonl longer_runs.jsonl --reference run.json,run.json
+refuses 'longer.json: no run has the scene .* of this reference' \
+  beadswim-plot speed-against-error several.jsonl --reference run.json,longer.json
+refuses 'uncertain.json: with several references, each must be a run record' \
+  beadswim-plot speed-against-error several.jsonl --reference run.json,uncertain.json
+refuses '--quantity: is for run records' beadswim-plot speed-against-error cheap.verdict.json --quantity velocity
+
 jq 'del(.cost)' run.json >free.json
 refuses 'free.json: the run record does not contain the cost of the run, for example because the run had the flag --no-provenance; leave this file out' beadswim-plot speed-against-error free.json --reference run.json
 refuses 'si.json: the units of the reference differ from the units of run.json' beadswim-plot speed-against-error run.json --reference si.json
@@ -292,7 +312,7 @@ verdict_of -0.1 0.03 -0.04 10 >cheap.verdict.json
 verdict_of 0.01 0.003 0.004 1000 >dear.verdict.json
 accepts beadswim-plot speed-against-error cheap.verdict.json dear.verdict.json
 well_formed out
-drawn 4 circle     # of the first verdict, and its legends, in two panels; the second has squares
+drawn 3 circle     # of the first verdict in two panels, and the legend; the second has squares
 out_has '>core-seconds \(s\)<'
 notes_have 'Marks are verdicts: root mean square of errors relative to multipole-ode'
 notes_have 'Most accurate arm amplitudes: dear.verdict.json'
@@ -329,19 +349,16 @@ jq -c 'select(.resolution.density_on_lattice != 1)' "$results/resolution.jsonl" 
 same_bytes "beadswim-plot speed-against-error corrected.jsonl --reference $results/resolution-reference.json" \
   "cat $BEADSWIM_SOURCE/docs/images/speed-against-error.svg"
 records=$results/speed-against-error
-same_bytes "beadswim-plot speed-against-error $records/swarm.jsonl --reference $records/swarm-reference.json" \
-  "cat $BEADSWIM_SOURCE/docs/images/speed-against-error-swarm.svg"
-same_bytes "beadswim-plot speed-against-error $records/swimmer.jsonl corrected.jsonl --reference $records/swimmer-reference.json" \
-  "cat $BEADSWIM_SOURCE/docs/images/speed-against-error-swimmer.svg"
-same_bytes "jq -sc -L $results -f $results/extrapolated.jq $records/swarm-reference.jsonl" "cat $records/swarm-reference.json"
-tables() {
-  jq -rs -L "$results" --slurpfile reference "$records/swarm-reference.json" -f "$results/speed-against-error.jq" "$records/swarm.jsonl"
-  jq -rs -L "$results" --slurpfile reference "$records/swimmer-reference.json" -f "$results/speed-against-error.jq" \
-    "$records/swimmer.jsonl" corrected.jsonl
-}
-tables >tables
-check "the tables of docs/speed-against-error.md are those of the records" \
-  cmp -s tables <(sed -n '/^## The swarm.s cell$/,$p' "$BEADSWIM_SOURCE/docs/speed-against-error.md" | grep '^|')
+references=$records/swimmer-reference.json,$records/nine-reference.json,$records/many-reference.json
+for picture in velocity arm_amplitudes; do
+  same_bytes "beadswim-plot speed-against-error $records/{swimmer,nine,many}.jsonl --reference $references --quantity $picture" \
+    "cat $BEADSWIM_SOURCE/docs/images/speed-against-error-$picture.svg"
+done
+same_bytes "beadswim-plot speed-against-error $records/cell.jsonl --reference $records/cell-reference.json" \
+  "cat $BEADSWIM_SOURCE/docs/images/speed-against-error-cell.svg"
+same_bytes "jq -sc -f $results/extrapolated-record.jq $records/cell-reference.jsonl" "cat $records/cell-reference.json"
+same_bytes "$results/speed-against-error-tables.sh $records | grep '^|'" \
+  "sed -n '/^## What to use/,\$p' $BEADSWIM_SOURCE/docs/speed-against-error.md | grep '^|'"
 same_bytes "jq -rs -L $results --slurpfile reference $results/resolution-reference.json -f $results/resolution.jq $results/resolution.jsonl" \
   "sed -n '/^| bead boundary/,/^$/p' $BEADSWIM_SOURCE/docs/resolution.md | grep '^|'"
 

@@ -50,6 +50,21 @@ TEST(ErrorFigure, ErrorsBelowTheUncertaintyOfTheReferenceAreNotRanked) {
       ElementsAre(HasSubstr("front"), "Cheapest within the uncertainty of the reference, velocity: worse."));
 }
 
+TEST(ErrorFigure, SettingsLookAlikeInAllScenesAndHaveOneLegend) {
+  QuantityErrors one = errors(), other = errors();
+  one.scene = "1 swimmer";
+  other.scene = "9 swimmers";
+  other.series.erase(other.series.begin());  // only "coarse"
+  const Figure figure = error_figure({one, other}, "core-seconds", {});
+  EXPECT_EQ(figure.panels.at(0).series.at(1).label, figure.panels.at(1).series.at(0).label);
+  EXPECT_EQ(figure.panels.at(0).series.at(1).colour, figure.panels.at(1).series.at(0).colour);
+  const std::string svg = figure_to_svg(figure);
+  for (const char* text : {">coarse<", ">front<", ">1 swimmer<", ">9 swimmers<"})
+    EXPECT_EQ(svg.find(text), svg.rfind(text)) << text;
+  EXPECT_NE(svg.find(">coarse<"), std::string::npos);
+  EXPECT_THAT(figure_to_csv(figure), HasSubstr("error of the velocity (9 swimmers)"));
+}
+
 TEST(ErrorFigure, RefusesWhatNoLogarithmicAxisHolds) {
   QuantityErrors exact = errors();
   exact.series[1].points[0].error = 0;

@@ -1,9 +1,11 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "abscissa.hpp"
@@ -28,7 +30,9 @@ namespace {
 struct SpeedFlags {
   std::vector<std::string> methods;  ///< methods of the prediction or of the verdicts whose errors are drawn
   std::string cycle = "last";
-  std::string reference;  ///< file of the run or prediction relative to which errors are measured
+  std::vector<std::string>
+      references;  ///< files of runs or a prediction relative to which errors are measured
+  std::optional<ComparedQuantity> quantity;  ///< the quantity that is drawn; nullopt: both
 };
 
 /// Reference values for the errors of runs: a prediction for one swimmer, or all swimmers of a run.
@@ -36,6 +40,13 @@ struct ErrorReference {
   std::string name;
   std::vector<ComparedValues> swimmers;  ///< one element for all swimmers, or one per swimmer of a run
   std::map<ComparedQuantity, double> uncertainty;  ///< relative; contains only known uncertainties
+};
+
+/// The runs of one scene and their reference.
+struct ComparedScene {
+  std::string title;  ///< empty if the figure has one scene
+  ErrorReference reference;
+  std::vector<const PlottedRun*> runs;
 };
 
 /// Returns true if two run records have the same box, the same driving and the same swimmer ids.
@@ -93,22 +104,66 @@ ErrorReference reference_of(const PlottedPrediction& best, const PlottedRun& fir
   return reference;
 }
 
-ErrorReference read_reference(const PlotInputs& inputs, const SpeedFlags& flags, const CycleChoice& cycle) {
-  const PlotInputs read = read_plot_inputs({flags.reference}, {flags.methods});
+/// Returns "9 swimmers, box 120 x 120 x 120".
+std::string scene_title(const RunRecord& record) {
+  const auto swimmers = record.swarm && !record.swarm->empty() ? record.swarm->back().statistics.swimmers
+                                                               : std::ssize(record.swimmers);
+  std::string title = swimmers == 1 ? "1 swimmer" : fmt::format("{} swimmers", swimmers);
+  if (record.domain.box) {
+    const Vec3& lengths = record.domain.box->lengths;
+    title += fmt::format(", box {:g} x {:g} x {:g}", lengths[0], lengths[1], lengths[2]);
+  }
+  return title;
+}
+
+/// Reads the file of a reference and collects the runs of its scene. With one reference, `all` runs must have
+/// its scene.
+ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, const SpeedFlags& flags,
+                         const CycleChoice& cycle) {
+  const bool has_others = flags.references.size() > 1;
+  const PlotInputs read = read_plot_inputs({file}, {flags.methods});
   if (read.runs.size() + read.predictions.size() != 1) {
     throw InputError(
-        flags.reference,
+        file,
         "the file contains several runs or predictions, but errors are relative to one reference; name one "
         "method with --method, or give a file with one run or one prediction");
   }
-  const PlottedRun& first = inputs.runs.front();
+  if (has_others && read.runs.empty())
+    throw InputError(file, "with several references, each must be a run record, which states its scene");
   if (!same_units(read.units, inputs.units))
     throw InputError(
-        flags.reference,
+        file,
         fmt::format("the units of the reference differ from the units of {}; make both files from one layout",
-                    first.source));
-  return read.runs.empty() ? reference_of(read.predictions.front(), first)
-                           : reference_of(read.runs.front(), first, cycle);
+                    inputs.runs.front().source));
+  ComparedScene scene;
+  for (const PlottedRun& run : inputs.runs)
+    if (!has_others || are_of_one_scene(run.record, read.runs.front().record)) scene.runs.push_back(&run);
+  if (scene.runs.empty())
+    throw InputError(file,
+                     "no run has the scene (box, driving, swimmers) of this reference; add its runs, or "
+                     "leave the reference out");
+  const PlottedRun& first = *scene.runs.front();
+  scene.reference = read.runs.empty() ? reference_of(read.predictions.front(), first)
+                                      : reference_of(read.runs.front(), first, cycle);
+  if (has_others) scene.title = scene_title(first.record);
+  return scene;
+}
+
+/// Returns the scenes of all references. Throws InputError if a run has the scene of no reference.
+std::vector<ComparedScene> read_scenes(const PlotInputs& inputs, const SpeedFlags& flags,
+                                       const CycleChoice& cycle) {
+  std::vector<ComparedScene> scenes;
+  std::set<const PlottedRun*> compared;
+  for (const std::string& file : flags.references) {
+    scenes.push_back(read_scene(inputs, file, flags, cycle));
+    compared.insert(scenes.back().runs.begin(), scenes.back().runs.end());
+  }
+  for (const PlottedRun& run : inputs.runs)
+    if (!compared.contains(&run))
+      throw InputError(run.source,
+                       "the scene (box, driving, swimmers) of this run is that of no reference; add "
+                       "its reference to --reference, or leave the run out");
+  return scenes;
 }
 
 /// Returns the number of driving periods that a run has completed. For a lattice run it is a fraction,
@@ -157,17 +212,18 @@ void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
                                            other.source));
 }
 
-std::vector<CostedRun> costed_runs(const PlotInputs& inputs, const CycleChoice& cycle) {
+std::vector<CostedRun> costed_runs(const std::vector<const PlottedRun*>& plotted, const CycleChoice& cycle) {
   std::vector<CostedRun> runs;
-  for (const PlottedRun& run : inputs.runs) {
+  for (const PlottedRun* each : plotted) {
+    const PlottedRun& run = *each;
     CostedRun costed{.source = run.source, .setting = setting_name(run.record), .swimmers = {}};
     if (run.record.resolution) costed.resolution = run.record.resolution->cells_per_radius;
     const auto same_setting = std::ranges::find_if(runs, [&](const CostedRun& other) {
       return other.setting == costed.setting && other.resolution == costed.resolution;
     });
-    require_one_scene(run, inputs.runs.front());
+    require_one_scene(run, *plotted.front());
     if (same_setting != runs.end())
-      require_same_corrections(run, inputs.runs[static_cast<std::size_t>(same_setting - runs.begin())]);
+      require_same_corrections(run, *plotted[static_cast<std::size_t>(same_setting - runs.begin())]);
     costed.cost = cost_of(run);
     for (const SwimmerRecord& swimmer : run.record.swimmers)
       costed.swimmers.push_back(swimming_of(run.record, swimmer, cycle, run.source));
@@ -176,9 +232,9 @@ std::vector<CostedRun> costed_runs(const PlotInputs& inputs, const CycleChoice& 
   return runs;
 }
 
-QuantityErrors errors_of(const std::vector<ErrorsOfSetting>& all, const ErrorReference& reference,
+QuantityErrors errors_of(const std::vector<ErrorsOfSetting>& all, const ComparedScene& scene,
                          ComparedQuantity quantity, const std::string& name) {
-  QuantityErrors errors{name, {}};
+  QuantityErrors errors{.quantity = name, .series = {}, .scene = scene.title};
   for (const auto& [setting, resolutions] : all) {
     errors.series.push_back({setting, {}});
     for (const auto& [cells, source, cost, known] : resolutions) {
@@ -190,17 +246,15 @@ QuantityErrors errors_of(const std::vector<ErrorsOfSetting>& all, const ErrorRef
            .error = known.at(quantity)});
     }
   }
-  const auto known = reference.uncertainty.find(quantity);
-  if (known != reference.uncertainty.end()) errors.uncertainty = known->second;
+  const auto known = scene.reference.uncertainty.find(quantity);
+  if (known != scene.reference.uncertainty.end()) errors.uncertainty = known->second;
   return errors;
 }
 
-std::string resolutions_note(const std::vector<ErrorsOfSetting>& all) {
+std::string resolutions_note(const PlotInputs& inputs) {
   std::set<double> known;
-  for (const ErrorsOfSetting& each : all) {
-    for (const ErrorsAtResolution& errors : each.resolutions) known.insert(errors.resolution);
-  }
-  known.erase(0);
+  for (const PlottedRun& run : inputs.runs)
+    if (run.record.resolution) known.insert(run.record.resolution->cells_per_radius);
   return known.empty() ? ""
                        : fmt::format("Lines join runs with {:g} to {:g} cells per radius.", *known.begin(),
                                      *known.rbegin());
@@ -212,14 +266,20 @@ Figure speed_figure(const PlotInputs& inputs, const SpeedFlags& flags, const Cyc
         "speed-against-error",
         "this figure draws only run records; name run records as files, and a prediction with --reference");
   }
-  const ErrorReference reference = read_reference(inputs, flags, cycle);
-  const auto all = errors_by_setting(costed_runs(inputs, cycle), reference.swimmers);
-  std::vector<Note> notes{
-      {.text = fmt::format("Root mean square of errors relative to the reference ({}).", reference.name)},
-      {.text = resolutions_note(all)}};
-  return error_figure({errors_of(all, reference, ComparedQuantity::velocity, "velocity"),
-                       errors_of(all, reference, ComparedQuantity::arm_amplitudes, "arm amplitudes")},
-                      "core-seconds per period", std::move(notes));
+  std::vector<QuantityErrors> panels;
+  std::set<std::string> references;
+  for (const ComparedScene& scene : read_scenes(inputs, flags, cycle)) {
+    const auto all = errors_by_setting(costed_runs(scene.runs, cycle), scene.reference.swimmers);
+    references.insert(scene.reference.name);
+    for (const auto& [quantity, name] : {std::pair(ComparedQuantity::velocity, "velocity"),
+                                         std::pair(ComparedQuantity::arm_amplitudes, "arm amplitudes")})
+      if (flags.quantity.value_or(quantity) == quantity)
+        panels.push_back(errors_of(all, scene, quantity, name));
+  }
+  std::vector<Note> notes{{.text = fmt::format("Root mean square of errors relative to the reference ({}).",
+                                               fmt::join(references, "; "))},
+                          {.text = resolutions_note(inputs)}};
+  return error_figure(panels, "core-seconds per period", std::move(notes));
 }
 
 }  // namespace
@@ -229,15 +289,21 @@ Drawing add_speed_flags(CLI::App& command) {
   add_methods(command, flags->methods);
   add_cycle(command, flags->cycle);
   command
-      .add_option("--reference", flags->reference,
-                  "Prediction or run record from which errors of runs are measured; required if FILES are "
-                  "run records")
-      ->type_name("FILE")
+      .add_option("--reference", flags->references,
+                  "Prediction or run record from which errors of runs are measured, or one run record per scene; "
+                  "required if FILES are run records")
+      ->type_name("FILE,...")
+      ->delimiter(',')
       ->default_str("none");
+  add_word(command, "--quantity",
+           {to_text(ComparedQuantity::velocity), to_text(ComparedQuantity::arm_amplitudes)}, "",
+           "Quantity whose errors of run records are drawn",
+           [flags](const std::string& word) { flags->quantity = from_text<ComparedQuantity>(word); })
+      ->default_str("both");
   return [flags](const PlotFiles& files) {
     const CycleChoice cycle = parse_cycle_choice(flags->cycle);
-    if (!flags->reference.empty()) {
-      require_other_file(flags->reference, files.output);
+    if (!flags->references.empty()) {
+      for (const std::string& file : flags->references) require_other_file(file, files.output);
       return Drawn(speed_figure(read_plot_inputs(files.inputs, {}), *flags, cycle));
     }
     if (flags->cycle != SpeedFlags().cycle) {
@@ -245,6 +311,10 @@ Drawing add_speed_flags(CLI::App& command) {
                        "each verdict already states which cycle was compared; leave --cycle out, or draw run "
                        "records with --reference instead of verdicts");
     }
+    if (flags->quantity)
+      throw InputError(
+          "--quantity",
+          "is for run records; leave it out, or draw run records with --reference instead of verdicts");
     return Drawn(verdict_figure(files.inputs, flags->methods));
   };
 }

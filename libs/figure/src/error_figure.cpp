@@ -55,16 +55,19 @@ void append(const std::vector<ErrorPoint>& points, Series& series) {
   }
 }
 
-/// Adds a panel, and a note that names the most accurate point of the panel.
-void add_panel(const QuantityErrors& errors, const std::string& cost, Figure& figure) {
+/// Adds a panel, and a note that names the most accurate point. `labels`: labels of all series, in the order
+/// of their styles.
+void add_panel(const QuantityErrors& errors, const std::string& cost, const std::vector<std::string>& labels,
+               Figure& figure) {
   Panel panel{.x_label = {cost, "s"},
               .y_label = {"error of the " + errors.quantity, "%"},
               .x_scale = ScaleKind::logarithmic,
-              .y_scale = ScaleKind::logarithmic};
+              .y_scale = ScaleKind::logarithmic,
+              .title = errors.scene};
   std::vector<ErrorPoint> points;
   for (const ErrorSeries& one : errors.series) {
     for (const ErrorPoint& point : one.points) require_plottable(point, errors.quantity, cost);
-    const int position = static_cast<int>(panel.series.size());
+    const auto position = static_cast<int>(std::ranges::find(labels, one.label) - labels.begin());
     Series series{.label = one.label,
                   .mark = Mark::line_and_points,
                   .colour = position,
@@ -74,26 +77,33 @@ void add_panel(const QuantityErrors& errors, const std::string& cost, Figure& fi
     points.insert(points.end(), one.points.begin(), one.points.end());
     panel.series.push_back(std::move(series));
   }
-  const std::vector<ErrorPoint> front = pareto_front(points, errors.uncertainty.value_or(0));
+  const double uncertainty = errors.uncertainty.value_or(0);
+  const std::vector<ErrorPoint> front = pareto_front(points, uncertainty);
   Series line{.label = "front", .mark = Mark::line, .colour = black, .emphasis = Emphasis::faint};
   append(front, line);
   panel.series.push_back(std::move(line));
-  if (errors.uncertainty) panel.series.push_back(uncertainty_line(points, *errors.uncertainty));
+  if (errors.uncertainty) panel.series.push_back(uncertainty_line(points, uncertainty));
   figure.panels.push_back(std::move(panel));
-  const bool is_within = front.back().error <= errors.uncertainty.value_or(0);
-  figure.notes.push_back(
-      {.text = fmt::format("{} {}: {}.",
-                           is_within ? "Cheapest within the uncertainty of the reference," : "Most accurate",
-                           errors.quantity, front.back().name)});
+  figure.notes.push_back({.text = fmt::format("{}{}{}: {}.", errors.scene.empty() ? "" : errors.scene + ": ",
+                                              front.back().error <= uncertainty
+                                                  ? "Cheapest within the uncertainty of the reference, "
+                                                  : "Most accurate ",
+                                              errors.quantity, front.back().name)});
 }
 
 }  // namespace
 
 Figure error_figure(const std::vector<QuantityErrors>& quantities, const std::string& cost,
                     std::vector<Note> notes) {
-  Figure figure{.title = "Speed against error", .panels = {}, .notes = std::move(notes)};
+  Figure figure{
+      .title = "Speed against error", .panels = {}, .notes = std::move(notes), .has_common_legend = true};
   figure.notes.emplace_back(front_text);
-  for (const QuantityErrors& errors : quantities) add_panel(errors, cost, figure);
+  std::vector<std::string> labels;
+  for (const QuantityErrors& errors : quantities) {
+    for (const ErrorSeries& series : errors.series)
+      if (std::ranges::find(labels, series.label) == labels.end()) labels.push_back(series.label);
+  }
+  for (const QuantityErrors& errors : quantities) add_panel(errors, cost, labels, figure);
   return figure;
 }
 

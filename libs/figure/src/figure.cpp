@@ -249,17 +249,29 @@ std::string draw_series(const PlotArea& area, const Series& series) {
   return elements + draw_points(series, inside);
 }
 
-/// Returns the distance from the top of a panel to the top of the next [px]: the height of the plot with its
-/// labels, or the height of the legend if it is larger.
-double panel_distance(const Panel& panel) {
-  const auto entries = std::ranges::count_if(panel.series, [](const Series& s) { return !s.label.empty(); });
-  return std::max(panel_pitch, line_pitch * static_cast<double>(entries + 1));
+double legend_height(const std::vector<Series>& entries) {
+  const auto count = std::ranges::count_if(entries, [](const Series& s) { return !s.label.empty(); });
+  return line_pitch * static_cast<double>(count + 1);
 }
 
-std::string draw_legend(const PlotArea& area, const std::vector<Series>& all_series) {
+/// Returns the series of all panels, each label once.
+std::vector<Series> common_entries(const std::vector<Panel>& panels) {
+  std::vector<Series> entries;
+  for (const Emphasis emphasis : {Emphasis::plain, Emphasis::faint}) {
+    for (const Panel& panel : panels) {
+      for (const Series& series : panel.series)
+        if (series.emphasis == emphasis &&
+            std::ranges::find(entries, series.label, &Series::label) == entries.end())
+          entries.push_back(series);
+    }
+  }
+  return entries;
+}
+
+std::string draw_legend(double top, const std::vector<Series>& entries) {
   std::string elements;
-  double y = area.top + 10;
-  for (const Series& series : all_series) {
+  double y = top + 10;
+  for (const Series& series : entries) {
     if (series.label.empty()) continue;
     const double right = legend_left + legend_key_width;
     elements += draw_line(series, {{legend_left, y}, {right, y}});
@@ -338,6 +350,10 @@ std::string draw_colour_bar(const PlotArea& area, const Panel& panel) {
   return elements;
 }
 
+double title_height(const Panel& panel) {
+  return panel.title.empty() ? 0 : 14;
+}
+
 std::string draw_panel(const Panel& panel, double top) {
   const PlotArea area = plot_area(panel, top);
   std::string elements = draw_x_axis(area, panel.x_label) + draw_y_axis(area, panel.y_label);
@@ -350,7 +366,32 @@ std::string draw_panel(const Panel& panel, double top) {
   for (const Series& series : panel.series) {
     if (series.mark == Mark::points) elements += draw_series(area, series);
   }
-  return elements + draw_legend(area, panel.series);
+  if (!panel.title.empty())
+    elements += svg::text({plot_left, top - 7}, panel.title,
+                          {.size = label_size, .anchor = svg::Anchor::start, .weight = "bold"});
+  return elements;
+}
+
+/// Draws all panels with their legends. Moves `top` to the end of the last panel and legend [px].
+std::string draw_panels(const Figure& figure, double& top) {
+  std::string elements;
+  const double first_top = top + title_height(figure.panels.front());
+  for (const Panel& panel : figure.panels) {
+    top += title_height(panel);
+    elements += draw_panel(panel, top);
+    double height = panel_pitch;
+    if (!figure.has_common_legend) {
+      elements += draw_legend(top, panel.series);
+      height = std::max(height, legend_height(panel.series));
+    }
+    top += height;
+  }
+  if (figure.has_common_legend) {
+    const std::vector<Series> entries = common_entries(figure.panels);
+    elements += draw_legend(first_top, entries);
+    top = std::max(top, first_top + legend_height(entries));
+  }
+  return elements;
 }
 
 double page_width(const Figure& figure) {
@@ -370,8 +411,10 @@ double page_width(const Figure& figure) {
 /// Returns a line of comma-separated values for each finite point of the series.
 std::vector<std::string> csv_lines(const Panel& panel, const Series& series) {
   const std::string names =
-      fmt::format("{},{},{},{},{}", quoted(panel.y_label.quantity), quoted(panel.y_label.unit),
-                  quoted(panel.x_label.quantity), quoted(panel.x_label.unit),
+      fmt::format("{},{},{},{},{}",
+                  quoted(panel.title.empty() ? panel.y_label.quantity
+                                             : fmt::format("{} ({})", panel.y_label.quantity, panel.title)),
+                  quoted(panel.y_label.unit), quoted(panel.x_label.quantity), quoted(panel.x_label.unit),
                   quoted(series.label.empty() ? series.data_label : series.label));
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
@@ -401,10 +444,7 @@ std::string figure_to_svg(const Figure& figure) {
   std::string elements = svg::text({plot_left, 30}, figure.title,
                                    {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
   double top = first_plot_top;
-  for (const Panel& panel : figure.panels) {
-    elements += draw_panel(panel, top);
-    top += panel_distance(panel);
-  }
+  elements += draw_panels(figure, top);
   const double width = page_width(figure);
   const NoteBlock notes = draw_notes(figure.notes, {plot_left, top}, width - plot_left - margin);
   return svg::document(width, notes.bottom + margin + line_pitch / 3, figure.title,

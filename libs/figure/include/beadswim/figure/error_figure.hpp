@@ -22,18 +22,20 @@ struct ErrorSeries {
   std::vector<ErrorPoint> points;
 };
 
-/// Errors of one quantity.
+/// Errors of one quantity in one scene.
 struct QuantityErrors {
   std::string quantity;
   std::vector<ErrorSeries> series;
   std::optional<double> uncertainty{};  ///< relative uncertainty of the reference
+  std::string scene{};                  ///< title of the panel, if the figure shows several scenes
 };
 
-/// Returns a figure with one panel per quantity, which shows errors in percent as a function of their costs,
-/// on logarithmic axes. A faint line connects the Pareto front: the points for which no other point is both
-/// cheaper and more accurate. The uncertainty of the reference is a horizontal line; errors below it are not
-/// ranked. Below the panels are the given `notes`, and one note per panel that names the most accurate point.
-/// `cost` is the label of the cost axis. Throws InputError if a cost or an error is not positive and finite.
+/// Returns a figure with one panel per element of `quantities`, which shows errors in percent as a function
+/// of their costs, on logarithmic axes. Series with equal labels look alike. A faint line connects the Pareto
+/// front: the points for which no other point is both cheaper and more accurate. The uncertainty of the
+/// reference is a horizontal line; errors below it are not ranked. Below the panels are the given `notes`,
+/// and one note per panel that names the most accurate point. `cost` is the label of the
+/// cost axis. Throws InputError if a cost or an error is not positive and finite.
 Figure error_figure(const std::vector<QuantityErrors>& quantities, const std::string& cost,
                     std::vector<Note> notes);
 

@@ -52,6 +52,7 @@ struct Panel {
   AxisLabel value_label{};       ///< label of the values of the map
   TickKind x_ticks = TickKind::any;
   ScaleKind x_scale = ScaleKind::linear, y_scale = ScaleKind::linear;
+  std::string title{};
 };
 
 /// Panels in one column, each with its legend to the right, and notes below the panels.
@@ -59,6 +60,7 @@ struct Figure {
   std::string title;
   std::vector<Panel> panels;
   std::vector<Note> notes{};
+  bool has_common_legend = false;  ///< true: one legend for all panels; equal labels have equal styles
 };
 
 /// Returns the figure as a complete SVG document. Throws InputError if a panel has no point that can be
