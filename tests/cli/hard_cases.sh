@@ -36,6 +36,23 @@ jq '[.[] | select(.status == "finished" and .plan.refused == null and .plan.erro
       | transpose[] | ((.[1] / .[2] - 1 | fabs) / .[0])])}]' records.json >foretold.json
 check "errors are as foretold, or less" holds 'length > 50 and ([.[].ratios | max] | map(select(. > 2)) | length) <= 0.1 * length' foretold.json
 
+# --- mobility models, shapes, walls and flow
+run bash "$results/hard-shapes.sh" springs close_beads collisions walls flow  # groups
+has_status 0
+cp out new.jsonl
+jq -c 'select(.group == ("springs", "close beads", "collisions", "walls", "flow"))' "$results/hard-shapes.jsonl" >known.jsonl
+check "the records have these groups" test "$(wc -l <known.jsonl)" -gt 30
+check "outcomes are those on record" cmp -s <(outcomes known.jsonl | sort) <(outcomes new.jsonl | sort)
+jq -s 'map([.group + .case + .flags, (.cycle.velocity // [] | map(. * . * 1e20) | add)]) | group_by(.[0])' known.jsonl new.jsonl >pairs.json
+check "velocities are those on record, unless they are roundoff" holds 'map(length == 2 and
+  ([.[][1]] | .[0] == .[1] or (.[0] - .[1] | fabs) <= 1e-3 * .[1] or .[1] < 1e-12)) | all' pairs.json
+check "every stop has its reason" holds -s 'map(select(.status != "finished")) | length > 10 and (map(.reason | length > 40) | all)' new.jsonl
+check "a result that is wrong by more than a tenth is warned of" holds -s 'map(select(.status == "finished" and .cycle and .reference.cycle)
+  | ([.cycle.velocity, .reference.cycle.velocity] | transpose | map(.[0] - .[1] | . * .) | add) as $change
+  | select($change > 0.01 * (.reference.cycle.velocity | map(. * .) | add)) | .warned) | length > 4 and all' new.jsonl
+check "the page has their table" cmp -s <(jq -rs -f "$results/hard-shapes.jq" "$results/hard-shapes.jsonl") \
+  <(sed -n '/^<!-- from hard-shapes.jsonl -->$/,/^<!-- end -->$/p' "$page" | sed '1d;$d')
+
 check "the page has the records' table" cmp -s <(jq -rs -f "$results/hard-cases.jq" "$results/hard-cases.jsonl") \
   <(sed -n '/^<!-- from hard-cases.jsonl -->$/,$p' "$page" | sed 1d)
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "beadswim/core/cell_list.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
@@ -51,12 +52,25 @@ class ContactFinder {
   std::vector<Contact>& contacts_;
 };
 
+/// Returns the smallest gap between two beads of a swimmer at rest, divided by their mean radius.
+double smallest_gap_at_rest(const SwimmerType& type) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < type.beads.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double radii = type.beads[i].radius + type.beads[j].radius;
+      smallest = std::min(smallest, 2 * (type.beads[i].at - type.beads[j].at).norm() / radii - 2);
+    }
+  }
+  return smallest;
+}
+
 }  // namespace
 
 ContactScale::ContactScale(const OverdampedScene& scene)
     : largest_radius(beadswim::largest_radius(scene.types)) {
   double spring = 0;
   for (const SwimmerType& type : scene.types) {
+    cutoff_per_radius = std::min(cutoff_per_radius, smallest_gap_at_rest(type) / 2);
     strength = std::max(strength, largest_driving_force(type));
     for (const Bond& bond : type.bonds) spring = std::max(spring, bond.stiffness);
   }

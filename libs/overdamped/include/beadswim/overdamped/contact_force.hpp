@@ -5,7 +5,7 @@
 //   F = strength (cutoff/gap - 1)    for gap < cutoff, else 0
 //
 //   gap       distance between the surfaces [length]
-//   cutoff    a fifth of the mean radius [length]
+//   cutoff    a fifth of the mean radius, or less (contacts.hpp) [length]
 //   strength  largest driving force in the scene [force]; F equals it at gap = cutoff/2
 //
 // For gap < cutoff/20, F continues linearly with the gap, so that overlapping beads separate again. F is a

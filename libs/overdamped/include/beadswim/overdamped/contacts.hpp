@@ -21,7 +21,9 @@ struct Contact {
 
 /// Range and strength of the repulsion between close beads in a scene.
 struct ContactScale {
-  double cutoff_per_radius = 0.2;  ///< cutoff of the gap, divided by the mean radius of the two beads
+  /// Cutoff of the gap, divided by the mean radius of the two beads: a fifth, or half of the smallest gap in a
+  /// swimmer at rest if that is less, so that no beads repel each other at rest.
+  double cutoff_per_radius = 0.2;
   /// Strength of the repulsion: the largest driving force [force]. Without driving, it is the force that
   /// stretches the stiffest spring by the radius of the largest bead.
   double strength = 0;
