@@ -1,11 +1,12 @@
 # Prints the tables of docs/speed-against-error.md:
 #   speed-against-error-tables.sh FOLDER
-# Input: one object per scene, {title, runs: [records], reference: record}. Errors are root mean squares over runs and swimmers,
-# relative to the reference; costs are medians, in core-seconds per cycle.
+# Input: one object per scene, {title, runs: [records], reference: record}. Errors are root mean squares over
+# swimmers, divided by that of the reference, and root mean squares of these over runs and arms; costs are medians, in core-seconds per cycle.
 include "percentages";
 def axial: .speed_along_axis - ([.mean_flow, .axis] | transpose | map(.[0] * .[1]) | add);
 def rms: map(. * .) | mean | sqrt;
-def errors($found; $reference): [$found, $reference] | transpose | map(.[0] / .[1] - 1);
+def norm: map(. * .) | add | sqrt;
+def error($found; $reference): ([$found, $reference] | transpose | map(.[0] - .[1]) | norm) / ($reference | norm);
 def cycle: .swimmers | map(.cycles[-1]);
 def name: if .resolution then (.resolution | "`\(.bead_boundary)`, τ = \(.relaxation_time * 10 | round / 10), \(.cells_per_radius) cells"
       + (if .precision == "single" then ", single" else "" end) + (if (.levels | length) > 1 then ", levels" else "" end))
@@ -17,17 +18,18 @@ def percents: 100 * . | number;
 # Returns the settings of a scene, each with its errors and its cost.
 def settings: (.reference | cycle) as $reference | .runs | group_by(rank)
   | map({name: (.[0] | name), rank: (.[0] | rank),
-         v: (map(errors(cycle | map(axial); $reference | map(axial))) | add | rms),
-         arms: (map(errors(cycle | map(.arm_amplitudes[]); $reference | map(.arm_amplitudes[]))) | add | rms),
+         v: (map(error(cycle | map(axial); $reference | map(axial))) | rms),
+         arms: (map(range(2) as $arm | error(cycle | map(.arm_amplitudes[$arm]); $reference | map(.arm_amplitudes[$arm]))) | rms),
          cost: (map(.cost.core_seconds / .swimmers[0].cycles[-1].index) | median)});
-def uncertainty: [.reference.swimmers[].uncertainty.velocity.total] | rms;
+def uncertainty: (.reference.swimmers | map(.cycles[-1] | axial)) as $v
+  | ([.reference.swimmers | map(.uncertainty.velocity.total), $v] | transpose | map(.[0] * .[1]) | norm) / ($v | norm);
 def row: "| " + join(" | ") + " |";
 def head: row, (map("---") | "|" + join("|") + "|");
 
 map(. + {settings: settings, uncertainty: uncertainty}) as $scenes
 | (["scene"] + ([10, 3, 1, 0.3] | map("\(.) %")) + ["uncertainty of the reference"] | head),
   ($scenes[] | [.title] + (. as $scene | [0.1, 0.03, 0.01, 0.003] | map(. as $tolerance
-      | [$scene.settings[] | select(.v <= ([$tolerance, $scene.uncertainty] | max))] | min_by(.cost)
+      | [$scene.settings[] | select(([.v, .arms] | max) <= ([$tolerance, $scene.uncertainty] | max))] | min_by(.cost)
       | if . then "\(.name): \(.cost | number) s" + (if $scene.uncertainty > $tolerance then " (\($scene.uncertainty | percents) %)" else "" end)
         else "none" end)) + ["\(.uncertainty | percents) %"] | row),
   "",

@@ -115,11 +115,10 @@ if is_wanted swimmer; then
   } | jq -sc -f "$results/extrapolated-record.jq" >swimmer-reference.json
 fi
 
-# Runs the two resolutions of a reference on two ranks and extrapolates them.
-extrapolate() { # SCENE CYCLES COARSE FINE
-  for cells in "$3" "$4"; do
-    ranks=2 on_lattice "$1" "$2" "$cells" 1 --relaxation-time 0.8 --precision single
-  done | jq -sc -f "$results/extrapolated-record.jq" >"$1-reference.json"
+# Runs a finer resolution on two ranks and extrapolates it and a coarser run, for the reference of a scene.
+extrapolate() { # SCENE CYCLES FINE   standard input: record of the coarser run
+  { cat; ranks=2 on_lattice "$1" "$2" "$3" 1 --relaxation-time 0.8 --precision single; } |
+    jq -sc -f "$results/extrapolated-record.jq" >"$1-reference.json"
 }
 
 if is_wanted nine; then
@@ -132,7 +131,7 @@ if is_wanted nine; then
     for cells in 2 3 4.5; do times nine 3 1 $cells 1 --precision single; done
     for cells in 3 4.5; do times nine 3 1 $cells 1 --refine 1; done
   } >nine.jsonl
-  extrapolate nine 3 4.5 6
+  ranks=2 on_lattice nine 3 4.5 1 --relaxation-time 0.8 --precision single | extrapolate nine 3 6
 fi
 
 if is_wanted many; then
@@ -141,7 +140,6 @@ if is_wanted many; then
     for time in 1 2; do times many 3 1 2 $time --precision single; done
     for scheme in staircase cli psm; do times many 3 1 3 1.5 --precision single --bead-boundary $scheme; done
     for time in 0.8 1 1.5; do times many 3 1 3 $time --precision single; done
-    times many 3 1 3 1
   } >many.jsonl
-  extrapolate many 3 3 4.5
+  jq -c 'select(.resolution.relaxation_time | . and . > 0.7 and . < 0.9)' many.jsonl | extrapolate many 3 4
 fi

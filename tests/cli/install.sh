@@ -19,7 +19,7 @@ scene_from() { # PREFIX
   rm -f layout.json run.h5md run.json theory.json verdict.json stroke.svg
 }
 
-programs=(layout run theory compare plot view bench)
+programs=(layout run theory optimise compare plot view bench)
 run cmake --install "$BEADSWIM_BUILD" --prefix "$PWD/prefix"
 has_status 0
 for program in "${programs[@]}"; do

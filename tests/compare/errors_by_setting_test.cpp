@@ -42,5 +42,13 @@ TEST(ErrorsBySetting, EachSwimmerHasItsOwnReference) {
   EXPECT_DOUBLE_EQ(error(one), std::sqrt(2));
 }
 
+TEST(ErrorsBySetting, ASwimmerThatHardlyMovesDoesNotDominate) {
+  CostedRun run = run_of("mr", 4, 1, 3.03);
+  run.swimmers.push_back(velocity_of(0.04));
+  const std::vector<ComparedValues> reference{velocity_of(3), velocity_of(0.01)};
+  const auto all = errors_by_setting(std::span(&run, 1), reference);
+  EXPECT_NEAR(all[0].resolutions[0].errors.at(ComparedQuantity::velocity), 0.01 * std::sqrt(2), 1e-6);
+}
+
 }  // namespace
 }  // namespace beadswim

@@ -72,14 +72,20 @@ ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, cons
     reference.name = fmt::format("{}, {}, {:g} cells per radius", record.model,
                                  record.resolution->bead_boundary, record.resolution->cells_per_radius);
   }
-  std::map<ComparedQuantity, std::vector<double>> uncertainties;
+  std::map<ComparedQuantity, double> changes, squares;  // sums over swimmers
   for (const SwimmerRecord& swimmer : record.swimmers) {
     reference.swimmers.push_back(swimming_of(record, swimmer, cycle, run.source));
-    for (const auto& [quantity, values] : uncertainties_of(swimmer, cycle))
-      uncertainties[quantity].insert(uncertainties[quantity].end(), values.begin(), values.end());
+    for (const auto& [quantity, uncertainties] : uncertainties_of(swimmer, cycle)) {
+      const std::vector<double>& values = reference.swimmers.back().at(quantity);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const double relative = uncertainties[std::min(i, uncertainties.size() - 1)];
+        changes[quantity] += std::pow(relative * values[i], 2);
+        squares[quantity] += std::pow(values[i], 2);
+      }
+    }
   }
-  for (const auto& [quantity, values] : uncertainties)
-    reference.uncertainty[quantity] = root_mean_square(values);
+  for (const auto& [quantity, change] : changes)
+    if (change > 0) reference.uncertainty[quantity] = std::sqrt(change / squares[quantity]);
   return reference;
 }
 
@@ -289,9 +295,10 @@ Drawing add_speed_flags(CLI::App& command) {
   add_methods(command, flags->methods);
   add_cycle(command, flags->cycle);
   command
-      .add_option("--reference", flags->references,
-                  "Prediction or run record from which errors of runs are measured, or one run record per scene; "
-                  "required if FILES are run records")
+      .add_option(
+          "--reference", flags->references,
+          "Prediction or run record from which errors of runs are measured, or one run record per scene; "
+          "required if FILES are run records")
       ->type_name("FILE,...")
       ->delimiter(',')
       ->default_str("none");

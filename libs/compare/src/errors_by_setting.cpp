@@ -1,12 +1,40 @@
 #include "beadswim/compare/errors_by_setting.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "beadswim/compare/comparison.hpp"
 #include "beadswim/core/median.hpp"
 
 namespace beadswim {
 namespace {
+
+/// Sums over the swimmers of a run, for one component of a quantity (an arm, for arm amplitudes).
+struct SquareSums {
+  double change = 0, reference = 0;
+
+  double ratio() const { return change == 0 ? 0 : std::sqrt(change / reference); }
+};
+
+/// Returns for each quantity the error of each of its components.
+std::map<ComparedQuantity, std::vector<double>> errors_of(const CostedRun& run,
+                                                          std::span<const ComparedValues> reference) {
+  std::map<ComparedQuantity, std::vector<SquareSums>> sums;
+  for (std::size_t s = 0; s < run.swimmers.size(); ++s) {
+    for (const auto& [quantity, values] : reference[reference.size() == 1 ? 0 : s]) {
+      std::vector<SquareSums>& own = sums[quantity];
+      own.resize(std::max(own.size(), values.size()));
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        own[i].change += std::pow(run.swimmers[s].at(quantity)[i] - values[i], 2);
+        own[i].reference += std::pow(values[i], 2);
+      }
+    }
+  }
+  std::map<ComparedQuantity, std::vector<double>> errors;
+  for (const auto& [quantity, components] : sums)
+    for (const SquareSums& component : components) errors[quantity].push_back(component.ratio());
+  return errors;
+}
 
 /// Evaluates the errors of `runs`, which have the same setting and the same resolution.
 ErrorsAtResolution errors_of(const std::vector<const CostedRun*>& runs,
@@ -15,12 +43,8 @@ ErrorsAtResolution errors_of(const std::vector<const CostedRun*>& runs,
   std::map<ComparedQuantity, std::vector<double>> errors;
   for (const CostedRun* run : runs) {
     costs.push_back(run->cost);
-    for (std::size_t s = 0; s < run->swimmers.size(); ++s) {
-      for (const auto& [quantity, values] : reference[reference.size() == 1 ? 0 : s]) {
-        for (std::size_t i = 0; i < values.size(); ++i)
-          errors[quantity].push_back(relative_error(run->swimmers[s].at(quantity)[i], values[i]));
-      }
-    }
+    for (const auto& [quantity, values] : errors_of(*run, reference))
+      errors[quantity].insert(errors[quantity].end(), values.begin(), values.end());
   }
   ErrorsAtResolution result{.resolution = runs.front()->resolution,
                             .source = runs.front()->source,

@@ -23,11 +23,10 @@ struct CostedRun {
 
 /// Errors of all runs with the same setting and the same resolution.
 struct ErrorsAtResolution {
-  double resolution = 0;  ///< cells per bead radius
-  std::string source;     ///< file of the first run
-  double cost = 0;        ///< median cost of the runs [s]
-  std::map<ComparedQuantity, double>
-      errors;  ///< root mean square of the relative errors of all runs and swimmers
+  double resolution = 0;                      ///< cells per bead radius
+  std::string source;                         ///< file of the first run
+  double cost = 0;                            ///< median cost of the runs [s]
+  std::map<ComparedQuantity, double> errors;  ///< root mean square of the relative errors of all runs
 };
 
 /// Errors of all runs with the same setting (all settings except the resolution are equal).
@@ -36,9 +35,11 @@ struct ErrorsOfSetting {
   std::vector<ErrorsAtResolution> resolutions;  ///< in order of increasing resolution
 };
 
-/// Returns the relative errors of the runs for each quantity that `reference` contains. `reference` contains
-/// the correct values, either in one entry for all swimmers or in one entry per swimmer. The result is in the
-/// order in which settings first occur in `runs`.
+/// Returns the relative errors of the runs for each quantity that `reference` contains. The error of a run
+/// with several swimmers is the root mean square of their differences from the reference, divided by the root
+/// mean square of the reference, so that a swimmer with a small velocity does not dominate. `reference`
+/// contains the correct values, either in one entry for all swimmers or in one entry per swimmer. The result
+/// is in the order in which settings first occur in `runs`.
 std::vector<ErrorsOfSetting> errors_by_setting(std::span<const CostedRun> runs,
                                                std::span<const ComparedValues> reference);
 
