@@ -60,10 +60,10 @@ within() { # LAYOUT TOLERANCE CYCLES REFERENCE
   run beadswim-run "$1" -o run.h5md --model auto --tolerance "$2" --cycles "$3" --progress lines
   has_status 0
   err_has '^beadswim-run: starting the cheapest run within --tolerance: --model '
-  check "it is within $2" holds "$(jq -c '.predictions[0] | [.velocity] + .arm_amplitudes' "$BEADSWIM_SOURCE/docs/results/speed-against-error/$4") as \$r
+  check "it is within $2" holds "$(jq -c '.swimmers[0].cycles[-1] | [.velocity[0] - .mean_flow[0]] + .arm_amplitudes' "$BEADSWIM_SOURCE/docs/results/speed-against-error/$4") as \$r
     | .swimmers[0].cycles[-1] | [[.velocity[0] - .mean_flow[0]] + .arm_amplitudes, \$r] | transpose | all((.[0] / .[1] - 1 | fabs) < $2)" out
 }
-within cell.json 0.03 6 swarm-reference.json
+within cell.json 0.03 6 cell-reference.json
 within single.json 0.1 4 swimmer-reference.json
 within single.json 0.03 4 swimmer-reference.json
 run beadswim-run --restart run.h5md --cycles 5 --progress none
