@@ -69,6 +69,10 @@ within single.json 0.03 4 swimmer-reference.json
 run beadswim-run --restart run.h5md --cycles 5 --progress none
 has_status 2 # it kept no checkpoint
 
+check "the page has the results of the scenes that a seed has chosen" cmp -s \
+  <(jq -rs -f "$BEADSWIM_SOURCE/docs/results/plan-agreement.jq" "$BEADSWIM_SOURCE/docs/results/plan-agreement.jsonl" | grep '^Within\|^Predicted') \
+  <(sed -n '/^<!-- from plan-agreement.jsonl -->$/,/^<!-- end -->$/p' "$BEADSWIM_SOURCE/docs/choosing-a-model.md" | sed '1d;$d')
+
 # --- memory and files are as large as it says
 run beadswim-run cell.json --plan --model lbm --cells-per-radius 3 --relaxation-time 1 --precision double --cycles 2
 cp out expected.json
