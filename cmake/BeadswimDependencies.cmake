@@ -4,7 +4,7 @@ find_package(MPI REQUIRED COMPONENTS C)
 add_compile_definitions(OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)  # Beadswim uses only the C interface of MPI
 
 set(HDF5_PREFER_PARALLEL ON)
-find_package(HDF5 1.10 REQUIRED COMPONENTS C)
+find_package(HDF5 1.10.7 REQUIRED COMPONENTS C)
 if(NOT HDF5_IS_PARALLEL)
   message(FATAL_ERROR "Beadswim needs parallel HDF5; on Debian: apt install libhdf5-openmpi-dev")
 endif()

@@ -54,19 +54,20 @@ while read -r n arm stiffness amplitude period phase box tolerance; do
   ((${#choice[@]} > 0)) && for place in $(seq $places); do
     jq --argjson n "$place" '.swimmers[0].position |= (. as $p | [0.8191725, 0.6710436, 0.5497005] | to_entries
       | map($p[.key] + 2 * (.value * $n | . - floor)))' "scene-$n.json" >"placed-$n.json"
-    simulate "placed-$n" "${choice[@]}" >>"runs-$n.jsonl"
+    simulate "placed-$n" "${choice[@]}" >>"runs-$n.jsonl" || echo "scene $n: the chosen run has no result" >&2
   done
   jq -nc --slurpfile plan "plan-$n.json" --slurpfile runs "runs-$n.jsonl" --slurpfile reference "reference-$n.json" --argjson scene "$n" \
     --argjson tolerance "$tolerance" --arg parameters "arm $arm, stiffness $stiffness, amplitude $amplitude, period $period, phase $phase, box $box" '
     def velocity: .velocity[0] - (.mean_flow[0] // 0);
     def rms: map(. * .) | add / length | sqrt;
-    ($plan[0] | .choice as $flags | .runs[] | select(.flags == $flags)) as $chosen
+    ($plan[0] | .choice as $flags | [.runs[] | select(.flags == $flags)][0]) as $chosen
     | $reference[0].swimmers[0] as $r | $r.cycles[-1] as $exact | [$runs[].swimmers[0].cycles[-1]] as $found
-    | {scene: $scene, parameters: $parameters, tolerance: $tolerance, choice: $plan[0].choice,
+    | if $found == [] then {scene: $scene, parameters: $parameters, tolerance: $tolerance, choice: $plan[0].choice} else
+      {scene: $scene, parameters: $parameters, tolerance: $tolerance, choice: $plan[0].choice,
        cost: {predicted: $chosen.cost.core_seconds, measured: ([$runs[].cost.core_seconds] | sort | .[(length - 1) / 2 | floor])},
        velocity: {predicted: $chosen.error.velocity, measured: ($found | map(velocity / ($exact | velocity) - 1) | rms),
                   reference: $r.uncertainty.velocity.total},
        strokes: {predicted: ($chosen.error.arm_amplitudes | max),
                  measured: ([range(2) as $arm | $found | map(.arm_amplitudes[$arm] / $exact.arm_amplitudes[$arm] - 1) | rms] | max),
-                 reference: $r.uncertainty.arm_amplitudes.total}}'
+                 reference: $r.uncertainty.arm_amplitudes.total}} end'
 done < <(random_scenes)

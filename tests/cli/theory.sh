@@ -133,7 +133,7 @@ jq 'del(.swimmers) | .swarm = []' run.json >swarm_run.json
 refuses 'swarm_run.json: the run record contains only statistics of the swarm, .*; run a smaller cell of the scene \(beadswim-layout reduce\)' \
   beadswim-theory --stroke-from swarm_run.json paper.json
 cat paper.json paper.json >two.json
-refuses 'two.json: line [0-9]+, column 1: a second JSON document begins.*beadswim-theory for streams of layouts' beadswim-theory two.json
+refuses 'two.json: line [0-9]+, column 1: a second JSON document begins.*write one document per line' beadswim-theory two.json
 refuses 'does not list swimmer 7' beadswim-theory --swimmer 7 --stroke-from run.json alike.json
 refuses 'paper.json.*another kind' beadswim-theory --stroke-from paper.json paper.json
 sed -E '/"index": 1/,/"index": 2/d; /"arm_amplitudes": \[3/d; s/"cycles": \[$/"cycles": [] }],/' run.json >no_cycle.json

@@ -60,8 +60,7 @@ TEST(ErrorFigure, SettingsLookAlikeInAllScenesAndHaveOneLegend) {
   EXPECT_EQ(figure.panels.at(0).series.at(1).colour, figure.panels.at(1).series.at(0).colour);
   const std::string svg = figure_to_svg(figure);
   for (const char* text : {">coarse<", ">front<", ">1 swimmer<", ">9 swimmers<"})
-    EXPECT_EQ(svg.find(text), svg.rfind(text)) << text;
-  EXPECT_NE(svg.find(">coarse<"), std::string::npos);
+    EXPECT_TRUE(svg.find(text) != std::string::npos && svg.find(text) == svg.rfind(text)) << text;
   EXPECT_THAT(figure_to_csv(figure), HasSubstr("error of the velocity (9 swimmers)"));
 }
 

@@ -164,18 +164,31 @@ std::vector<ComparedScene> read_scenes(const PlotInputs& inputs, const SpeedFlag
     scenes.push_back(read_scene(inputs, file, flags, cycle));
     compared.insert(scenes.back().runs.begin(), scenes.back().runs.end());
   }
-  for (const PlottedRun& run : inputs.runs)
+  for (const PlottedRun& run : inputs.runs) {
+    const auto matches = std::ranges::count_if(
+        scenes, [&](const ComparedScene& scene) { return std::ranges::count(scene.runs, &run) > 0; });
+    if (matches > 1)
+      throw InputError(
+          run.source,
+          "two references have the scene (box, driving, swimmers) of this run; draw the scenes in "
+          "separate figures");
     if (!compared.contains(&run))
       throw InputError(run.source,
                        "the scene (box, driving, swimmers) of this run is that of no reference; add "
                        "its reference to --reference, or leave the run out");
+  }
   return scenes;
 }
 
-/// Returns the number of driving periods that a run has completed. For a lattice run it is a fraction,
-/// computed from the number of cell updates; for other runs it is the number of complete cycles.
+bool has_finer_levels(const RunRecord& record) {
+  return record.resolution && record.resolution->levels && record.resolution->levels->size() > 1;
+}
+
+/// Returns the number of driving periods that a run has completed. For a lattice run with cells of one size
+/// it is a fraction, computed from the number of cell updates; for other runs it is the number of complete
+/// cycles.
 double periods_done(const RunRecord& record) {
-  if (!record.resolution || !record.domain.box || !record.cost->cell_updates) {
+  if (!record.resolution || has_finer_levels(record) || !record.domain.box || !record.cost->cell_updates) {
     const std::vector<CycleStatistics>& cycles = record.swimmers.front().cycles;
     return cycles.empty() ? 0 : cycles.back().index;
   }
@@ -202,9 +215,9 @@ std::string setting_name(const RunRecord& record) {
     return has_order ? fmt::format("{}, order {}", record.model, *record.mobility->multipole_order)
                      : record.model;
   }
-  return fmt::format("{}, τ = {:g}, {}", record.resolution->bead_boundary,
-                     std::round(100 * record.resolution->relaxation_time) / 100,
-                     record.resolution->precision);
+  return fmt::format("{}, τ = {:g}, {}{}", record.resolution->bead_boundary,
+                     std::round(100 * record.resolution->relaxation_time) / 100, record.resolution->precision,
+                     has_finer_levels(record) ? ", levels" : "");
 }
 
 /// Throws InputError if two runs use different bead radii or densities on the lattice. The flags

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <variant>
 
@@ -75,6 +76,7 @@ int report_failure(const Communicator& communicator, const Communicator& failure
 }  // namespace
 
 int main(int argc, char** argv) {
+  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);  // the program locks its files itself
   const MpiSession mpi(&argc, &argv);
   const Communicator communicator(MPI_COMM_WORLD), failures(MPI_COMM_WORLD);
   if (!communicator.is_root() && std::freopen("/dev/null", "w", stdout) == nullptr) return 3;

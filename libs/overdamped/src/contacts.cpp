@@ -20,7 +20,9 @@ class ContactFinder {
   /// [length]. `is_image`: the second bead is a periodic image.
   void add_pair(int first, int second, bool is_image, const Vec3& separation, double radii) {
     const double distance = separation.norm(), gap = distance - radii;
-    const double cutoff = scale_.cutoff_per_radius * radii / 2;
+    const bool is_own = !is_image && scale_.swimmer[first] == scale_.swimmer[second];
+    const double per_radius = is_own ? scale_.own_cutoff_per_radius[first] : scale_.cutoff_per_radius;
+    const double cutoff = per_radius * radii / 2;
     if (gap >= cutoff) return;
     const Vec3 normal = distance > 0 ? Vec3(separation / distance) : Vec3::UnitX();
     contacts_.push_back({.first = first,
@@ -70,11 +72,19 @@ ContactScale::ContactScale(const OverdampedScene& scene)
     : largest_radius(beadswim::largest_radius(scene.types)) {
   double spring = 0;
   for (const SwimmerType& type : scene.types) {
-    cutoff_per_radius = std::min(cutoff_per_radius, smallest_gap_at_rest(type) / 2);
     strength = std::max(strength, largest_driving_force(type));
     for (const Bond& bond : type.bonds) spring = std::max(spring, bond.stiffness);
   }
   if (strength == 0) strength = spring * largest_radius;
+  std::vector<double> own;
+  for (const SwimmerType& type : scene.types)
+    own.push_back(std::min(cutoff_per_radius, smallest_gap_at_rest(type) / 2));
+  smallest_cutoff_per_radius = std::ranges::min(own);
+  for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
+    const std::size_t beads = scene.type_of(scene.swimmers[s]).beads.size();
+    own_cutoff_per_radius.insert(own_cutoff_per_radius.end(), beads, own[scene.swimmers[s].type]);
+    swimmer.insert(swimmer.end(), beads, static_cast<int>(s));
+  }
 }
 
 std::vector<Contact> find_contacts(const ContactScale& scale, const Domain& domain,

@@ -82,20 +82,21 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
   parts_.reserve(last_ - first_);
   const auto add_part = [&]<int Size>(std::integral_constant<int, Size>, std::size_t s) {
     const BeadRange& range = bead_ranges_[s];
-    parts_.push_back(
-        implicit_swimmer<Size>(rule, {.type = scene.type_of(scene.swimmers[s]),
-                                      .initial_orientation = scene.swimmers[s].orientation,
-                                      .start = swimmer_vector<Size>(start, range),
-                                      .history = swimmer_vector<Size>(history_, range),
-                                      .expansion_point = swimmer_vector<Size>(expansion_point, range),
-                                      .distant = swimmer_vector<Size>(distant, range),
-                                      .inertia = swimmer_vector<Size>(inertia, range),
-                                      .inertia_forces = swimmer_vector<Size>(inertia_forces, range),
-                                      .external_forces = swimmer_vector<Size>(external_forces, range),
-                                      .external_stiffness = stiffness[s - first_],
-                                      .viscosity = scene.viscosity,
-                                      .step_wavenumber = kappa,
-                                      .scale = step.contact_scale}));
+    parts_.push_back(implicit_swimmer<Size>(
+        rule, {.type = scene.type_of(scene.swimmers[s]),
+               .initial_orientation = scene.swimmers[s].orientation,
+               .start = swimmer_vector<Size>(start, range),
+               .history = swimmer_vector<Size>(history_, range),
+               .expansion_point = swimmer_vector<Size>(expansion_point, range),
+               .distant = swimmer_vector<Size>(distant, range),
+               .inertia = swimmer_vector<Size>(inertia, range),
+               .inertia_forces = swimmer_vector<Size>(inertia_forces, range),
+               .external_forces = swimmer_vector<Size>(external_forces, range),
+               .external_stiffness = stiffness[s - first_],
+               .viscosity = scene.viscosity,
+               .step_wavenumber = kappa,
+               .scale = step.contact_scale,
+               .own_cutoff_per_radius = step.contact_scale.own_cutoff_per_radius[range.first]}));
   };
   for (std::size_t s = first_; s < last_; ++s) {
     if (bead_ranges_[s].last - bead_ranges_[s].first == 3) {

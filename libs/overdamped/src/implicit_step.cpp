@@ -24,8 +24,9 @@ constexpr std::size_t max_directions = 20;
 ///   own_move_tolerance    if own_move_limit is exceeded, u* is iterated until it changes by less than this
 ///   joint_move_tolerance  for all swimmers solved together; if exceeded, u* is moved to the solution
 ///   joint_move_limit      largest distance that counts as converged after max_iterations
-constexpr double own_move_limit = 1e-3, own_move_tolerance = 1e-6, joint_move_tolerance = 1e-2,
-                 joint_move_limit = 0.1;
+/// The last two are multiples of the smallest cutoff of contacts, over which their force changes.
+constexpr double own_move_limit = 1e-3, own_move_tolerance = 1e-6, joint_move_tolerance = 0.05,
+                 joint_move_limit = 0.5;
 constexpr int max_own_iterations = 20, max_iterations = 10;
 
 }  // namespace
@@ -122,9 +123,10 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
     const double way =
         rule.span / rule.weight * flat(result.velocities).norm() / std::sqrt(3.0 * start.size());
     const double turn = std::sqrt(scene_.tolerance * shortest_arm_ * way) / smallest_radius_;
-    if (!(move > std::min(joint_move_tolerance, turn)) || !result.is_converged) break;
+    const double cutoff = contact_scale_.smallest_cutoff_per_radius;
+    if (!(move > std::min(joint_move_tolerance * cutoff, turn)) || !result.is_converged) break;
     if (round == max_iterations) {
-      result.is_converged = move < joint_move_limit;
+      result.is_converged = move < joint_move_limit * cutoff;
       break;
     }
     expansion_point = result.displacements;

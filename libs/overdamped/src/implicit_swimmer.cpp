@@ -11,14 +11,13 @@ namespace {
 /// Adds the forces and the stiffness of contacts between the beads of one swimmer to `forces` and
 /// `stiffness`.
 template <int Size>
-void add_own_contacts(const SwimmerType& type, const ContactScale& scale, const BeadVectors& beads,
-                      SwimmerVector<Size>& forces, SwimmerMatrix<Size>& stiffness) {
+void add_own_contacts(const SwimmerType& type, double strength, double cutoff_per_radius,
+                      const BeadVectors& beads, SwimmerVector<Size>& forces, SwimmerMatrix<Size>& stiffness) {
   for (int i = 0; i < beads.cols(); ++i) {
     for (int j = i + 1; j < beads.cols(); ++j) {
       const Vec3 d = beads.col(i) - beads.col(j);
       const double distance = d.norm(), radii = type.beads[i].radius + type.beads[j].radius;
-      const ContactForce law =
-          contact_force(distance - radii, scale.cutoff_per_radius * radii / 2, scale.strength);
+      const ContactForce law = contact_force(distance - radii, cutoff_per_radius * radii / 2, strength);
       if (!(law.stiffness > 0 && distance > 0)) continue;
       const Vec3 normal = d / distance;
       forces.template segment<3>(3 * i) += law.force * normal;
@@ -53,7 +52,7 @@ ImplicitSwimmer<Size> implicit_swimmer(const StepRule& rule, const SwimmerSurrou
   const BeadVectors driving = driving_forces(s.type, rule.time, beads, s.initial_orientation);
   Vector forces = own_forces<Size>(s.type, rule.time, beads) + as_vector<Size>(driving);
   Matrix stiffness = own_stiffness<Size>(s.type, rule.time, beads);
-  add_own_contacts(s.type, s.scale, beads, forces, stiffness);
+  add_own_contacts(s.type, s.scale.strength, s.own_cutoff_per_radius, beads, forces, stiffness);
   const Vector still = s.history / rule.weight - s.expansion_point;  // u - u* at v = 0
   result.drive = forces - stiffness * still;
   result.resistance = compliance * stiffness;

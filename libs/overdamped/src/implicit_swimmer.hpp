@@ -50,6 +50,7 @@ struct SwimmerSurroundings {
   double viscosity = 0;                       ///< dynamic viscosity eta [mass/(length time)]
   double step_wavenumber = 0;                 ///< kappa of step_mobility.hpp [1/length]; 0: steady flow
   const ContactScale& scale;
+  double own_cutoff_per_radius = 0;  ///< of contacts within the swimmer (ContactScale)
 };
 
 /// Linear system (1 + D mu_own) F = drive - D d of a swimmer, and its solution for the given d. An external

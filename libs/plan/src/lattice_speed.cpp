@@ -125,20 +125,18 @@ LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
 }
 
 LatticeSpeed LatticeSpeed::at_present(const Communicator& communicator) const {
-  std::vector<double> cells, ratios;
+  std::vector<double> ratios;
   const PrecisionCost& known = precisions_.at(static_cast<std::size_t>(Precision::fp64));
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const CoupledScene scene = fluid_scene(edges[i], Precision::fp64, ranks_);
     const double seconds = ranks_ * seconds_of_step(scene, short_interval, communicator);
-    cells.push_back(known.cells[i]);
     ratios.push_back(seconds / scene.cells.cast<double>().prod() / known.seconds_per_cell[i]);
   }
+  const double ratio = median(ratios);
   std::vector<PrecisionCost> now = precisions_;
-  const double with_beads = interpolated(cells, ratios, std::pow(edge_with_beads, 3));
-  for (PrecisionCost& own : now) {
-    for (std::size_t i = 0; i < edges.size(); ++i) own.seconds_per_cell[i] *= ratios[i];
-    for (double& seconds : own.seconds_per_area) seconds *= with_beads;
-  }
+  for (PrecisionCost& own : now)
+    for (std::vector<double>* costs : {&own.seconds_per_cell, &own.seconds_per_area})
+      for (double& seconds : *costs) seconds *= ratio;
   return {ranks_, std::move(now)};
 }
 

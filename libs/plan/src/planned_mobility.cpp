@@ -163,6 +163,8 @@ double position_roundoff(const SceneFacts& facts) {
     if (!swimmer_facts.best || !swimmer_facts.best->is_swimming) continue;
     const CollinearSwimmer& swimmer = swimmer_facts.representative.question.swimmer;
     double farthest = swimmer.arm[0] + swimmer.arm[1];
+    if (const auto& box = facts.cell.domain.box)
+      farthest = std::max(farthest, (box->lengths.array() * facts.cells.cast<double>()).maxCoeff());
     for (const Swimmer& placed : facts.cell.swimmers)
       farthest = std::max(farthest, placed.position.cwiseAbs().maxCoeff());
     largest = std::max(largest, 4 * std::numeric_limits<double>::epsilon() * farthest /

@@ -78,7 +78,7 @@ std::vector<float> flattened(const std::vector<Vec3>& vectors);
 class TrajectoryWriter {
  public:
   /// Creates PATH.part. With a checkpoint, the file starts with the frames that the checkpoint contains.
-  /// Throws InputError if the file cannot be created or another process is writing it.
+  /// Throws InputError if PATH.part cannot be created or another process is writing it.
   TrajectoryWriter(const std::string& path, const TrajectoryHeader& header, const Communicator& communicator,
                    const CheckpointReader* checkpoint = nullptr);
   TrajectoryWriter(const TrajectoryWriter&) = delete;

@@ -21,9 +21,13 @@ struct Contact {
 
 /// Range and strength of the repulsion between close beads in a scene.
 struct ContactScale {
-  /// Cutoff of the gap, divided by the mean radius of the two beads: a fifth, or half of the smallest gap in a
-  /// swimmer at rest if that is less, so that no beads repel each other at rest.
+  /// Cutoff of the gap, divided by the mean radius of the two beads.
   double cutoff_per_radius = 0.2;
+  /// The same for two beads of one swimmer, for each bead of the scene: at most half of the smallest gap of
+  /// the swimmer at rest, so that its beads do not repel each other at rest.
+  std::vector<double> own_cutoff_per_radius;
+  std::vector<int> swimmer;           ///< index of the swimmer of each bead of the scene
+  double smallest_cutoff_per_radius;  ///< minimum of all cutoffs
   /// Strength of the repulsion: the largest driving force [force]. Without driving, it is the force that
   /// stretches the stiffest spring by the radius of the largest bead.
   double strength = 0;

@@ -31,7 +31,7 @@ class LatticeSpeed {
   /// Measures the cost of lattice steps. This takes some seconds. Collective.
   static LatticeSpeed measured(const Communicator& communicator);
 
-  /// Returns the cost while the machine is as busy as at present: this cost times the ratio of short
+  /// Returns the cost while the machine is as busy as at present: this cost times the median ratio of short
   /// measurements of the fluid in double precision, 0.2 s in all, to the same costs of this object.
   /// Collective.
   LatticeSpeed at_present(const Communicator& communicator) const;
