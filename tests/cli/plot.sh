@@ -284,8 +284,11 @@ run beadswim-plot speed-against-error several.jsonl longer_runs.jsonl --referenc
 errors_of() { grep "box $1 x.*cli" out | awk -F, '{ print $(NF - 1) }'; }   # the cost per period depends on the box
 check "a scene has the errors relative to its own reference" test "$(errors_of 120)" = "$(errors_of 128)"
 check "these are the errors of two resolutions" test "$(errors_of 128 | wc -l)" -eq 2
+jq '.domain.lengths[0] += 16' run.json >longest.json
+jq -c '.domain.lengths[0] += 16' several.jsonl >longest_runs.jsonl
 refuses 'longer_runs.jsonl line 1: the scene .* of this run is that of no reference; add its reference' \
-  beadswim-plot speed-against-error several.jsonl longer_runs.jsonl --reference run.json,run.json
+  beadswim-plot speed-against-error several.jsonl longer_runs.jsonl longest_runs.jsonl --reference run.json,longest.json
+refuses 'several.jsonl line 1: two references have the scene' beadswim-plot speed-against-error several.jsonl --reference run.json,run.json
 refuses 'longer.json: no run has the scene .* of this reference' \
   beadswim-plot speed-against-error several.jsonl --reference run.json,longer.json
 refuses 'uncertain.json: with several references, each must be a run record' \

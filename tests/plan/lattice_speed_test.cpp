@@ -5,7 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
 
 namespace beadswim {
@@ -53,19 +52,6 @@ TEST(LatticeSpeed, AddsTheSurfaceOfBeadsByTheirScheme) {
     const double seconds = costs()[0].seconds_per_area[static_cast<std::size_t>(scheme)];
     EXPECT_DOUBLE_EQ(speed.step(scene) - speed.step(fluid(5)), seconds * area);
   }
-}
-
-/// Catches the speed of a busy machine being kept for ever.
-TEST(LatticeSpeed, FollowsTheMachine) {
-  const Communicator communicator(MPI_COMM_WORLD);
-  auto slow_machine = costs();
-  for (PrecisionCost& one : slow_machine) one.seconds_per_cell.assign(4, 1e-4);  // no machine is so slow
-  const LatticeSpeed now = LatticeSpeed(1, slow_machine).at_present(communicator);
-  const double factor = now.precisions()[0].seconds_per_cell[2] / 1e-4;
-  EXPECT_LT(factor, 0.1);
-  EXPECT_GT(factor, 1e-6);
-  for (const PrecisionCost& one : now.precisions())
-    EXPECT_NEAR(one.seconds_per_area[3], factor * 4e-7, 1e-12 * 4e-7);
 }
 
 /// Catches a cache that was damaged, or written by another version, being believed.

@@ -40,6 +40,20 @@ RunPlan plan_of(const PlanRequest& request, const Communicator& communicator) {
   return plan_run(single(), request, "layout", communicator);
 }
 
+/// Catches the speed of a busy machine being kept for ever.
+TEST(LatticeSpeed, FollowsTheMachine) {
+  const Communicator communicator(MPI_COMM_WORLD);
+  const LatticeSpeed any = any_speed(communicator.size());
+  std::vector<PrecisionCost> slow = any.precisions();
+  for (PrecisionCost& one : slow) one.seconds_per_cell.assign(4, 1e-4);  // no machine is so slow
+  const LatticeSpeed now = LatticeSpeed(communicator.size(), slow).at_present(communicator);
+  const double factor = now.precisions()[0].seconds_per_cell[2] / 1e-4;
+  EXPECT_LT(factor, 0.1);
+  EXPECT_GT(factor, 1e-6);
+  for (const PrecisionCost& one : now.precisions())
+    EXPECT_NEAR(one.seconds_per_area[3] / (factor * 1e-7), 1, 1e-12);
+}
+
 /// Catches settings that the user fixed being weighed all the same.
 TEST(RunPlan, WeighsOnlyWhatIsOpen) {
   const Communicator communicator(MPI_COMM_WORLD);
