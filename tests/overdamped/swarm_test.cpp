@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "beadswim/overdamped/contacts.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "direct_ewald.hpp"
 #include "scenes.hpp"
@@ -161,6 +162,32 @@ TEST(OverdampedSwarm, PartsBeadsThatTouch) {
   for (int n = 0; n < 400; ++n) system.step();
   ASSERT_FALSE(system.fault());
   for (int b = 0; b < 3; ++b) EXPECT_GT((system.positions()[b] - system.positions()[3 + b]).norm(), 8.0);
+}
+
+// Beads of a swimmer whose gap at rest is a tenth of a radius do not repel each other at rest; beads of
+// different swimmers do at this gap, whatever the types of the scene.
+TEST(OverdampedSwarm, RepelsNoBeadsOfASwimmerAtRest) {
+  ThreeBeadSwimmer close = paper_swimmer();
+  for (Spring& spring : close.springs) spring.rest_length = 8.4;
+  OverdampedScene scene = scene_of(close, 200);
+  scene.types.push_back(swimmer_type(paper_swimmer()));
+  const Vec3 place = scene.swimmers[0].position + Vec3(0, 100, 0);
+  for (int s = 1; s < 3; ++s)
+    scene.swimmers.push_back({.id = s, .type = 1, .position = place + Vec3(0, 8.4 * s, 0)});
+  std::vector<double> radii;
+  std::vector<Vec3> positions;
+  for (const PlacedSwimmer& swimmer : scene.swimmers) {
+    for (const BeadAtRest& bead : scene.type_of(swimmer).beads) {
+      radii.push_back(bead.radius);
+      positions.push_back(swimmer.position + bead.at);
+    }
+  }
+  const std::vector<Contact> contacts = find_contacts(ContactScale(scene), {}, radii, positions);
+  ASSERT_EQ(contacts.size(), 3U);
+  for (const Contact& contact : contacts) {
+    EXPECT_GE(std::min(contact.first, contact.second), 3);  // not beads of the first swimmer
+    EXPECT_NEAR(contact.cutoff, 0.8, 1e-12);
+  }
 }
 
 // Driven against a wall beads stay on their side of it.
