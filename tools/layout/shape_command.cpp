@@ -157,8 +157,7 @@ void add_flags(CLI::App& command, Flagellum& flagellum) {
   begin_driving(command, "forces A sin(2 pi t/T) along y on the last bead and the opposite on its neighbour",
                 flagellum);
   add_number(command, "--amplitude", flagellum.amplitude, finite_non_negative(), "A",
-             "Amplitude A of the forces [mass length/time^2]",
-             "S K_A/(2 x length), for S < 2 times (S/2)^3");
+             "Amplitude A of the forces [mass length/time^2]", "S K_A/(2 x length), for S < 2 times (S/2)^3");
   add_choice(
       command, "--frame", flagellum.frame,
       "Direction of the forces: y of the box (lab), of the swimmer at time 0 (initial-axis), or of the "

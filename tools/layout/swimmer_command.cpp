@@ -17,7 +17,8 @@ SwimmerCommand::SwimmerCommand(CLI::App& program)
              "it, flags without a default are required"),
       place_(*command_, "bead 2, the middle bead", "from bead 1 to bead 3", "the preset's, else periodic") {
   begin_group(*command_, "Output");
-  command_->add_flag("--jsonl", json_lines_, "Write the layout on one line, for streams of layouts (JSON Lines).");
+  command_->add_flag("--jsonl", json_lines_,
+                     "Write the layout on one line, for streams of layouts (JSON Lines).");
   set_footer(
       *command_,
       {"beadswim-layout swimmer --preset paper-single --box 72,30,30 --boundary periodic >layout.json",

@@ -122,11 +122,10 @@ std::string scene_title(const RunRecord& record) {
   return title;
 }
 
-/// Reads the file of a reference and collects the runs of its scene. With one reference, `all` runs must have
-/// its scene.
+/// Reads the file of a reference and collects the runs of its scene: all runs if there is one reference.
 ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, const SpeedFlags& flags,
                          const CycleChoice& cycle) {
-  const bool has_others = flags.references.size() > 1;
+  const bool has_several_scenes = flags.references.size() > 1;
   const PlotInputs read = read_plot_inputs({file}, {flags.methods});
   if (read.runs.size() + read.predictions.size() != 1) {
     throw InputError(
@@ -134,7 +133,7 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
         "the file contains several runs or predictions, but errors are relative to one reference; name one "
         "method with --method, or give a file with one run or one prediction");
   }
-  if (has_others && read.runs.empty())
+  if (has_several_scenes && read.runs.empty())
     throw InputError(file, "with several references, each must be a run record, which states its scene");
   if (!same_units(read.units, inputs.units))
     throw InputError(
@@ -143,7 +142,8 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
                     inputs.runs.front().source));
   ComparedScene scene;
   for (const PlottedRun& run : inputs.runs)
-    if (!has_others || are_of_one_scene(run.record, read.runs.front().record)) scene.runs.push_back(&run);
+    if (!has_several_scenes || are_of_one_scene(run.record, read.runs.front().record))
+      scene.runs.push_back(&run);
   if (scene.runs.empty())
     throw InputError(file,
                      "no run has the scene (box, driving, swimmers) of this reference; add its runs, or "
@@ -151,19 +151,15 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
   const PlottedRun& first = *scene.runs.front();
   scene.reference = read.runs.empty() ? reference_of(read.predictions.front(), first)
                                       : reference_of(read.runs.front(), first, cycle);
-  if (has_others) scene.title = scene_title(first.record);
+  if (has_several_scenes) scene.title = scene_title(first.record);
   return scene;
 }
 
-/// Returns the scenes of all references. Throws InputError if a run has the scene of no reference.
+/// Returns the scenes of all references. Throws InputError if a run has the scene of none or of several.
 std::vector<ComparedScene> read_scenes(const PlotInputs& inputs, const SpeedFlags& flags,
                                        const CycleChoice& cycle) {
   std::vector<ComparedScene> scenes;
-  std::set<const PlottedRun*> compared;
-  for (const std::string& file : flags.references) {
-    scenes.push_back(read_scene(inputs, file, flags, cycle));
-    compared.insert(scenes.back().runs.begin(), scenes.back().runs.end());
-  }
+  for (const std::string& file : flags.references) scenes.push_back(read_scene(inputs, file, flags, cycle));
   for (const PlottedRun& run : inputs.runs) {
     const auto matches = std::ranges::count_if(
         scenes, [&](const ComparedScene& scene) { return std::ranges::count(scene.runs, &run) > 0; });
@@ -172,7 +168,7 @@ std::vector<ComparedScene> read_scenes(const PlotInputs& inputs, const SpeedFlag
           run.source,
           "two references have the scene (box, driving, swimmers) of this run; draw the scenes in "
           "separate figures");
-    if (!compared.contains(&run))
+    if (matches == 0)
       throw InputError(run.source,
                        "the scene (box, driving, swimmers) of this run is that of no reference; add "
                        "its reference to --reference, or leave the run out");

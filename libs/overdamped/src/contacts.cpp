@@ -76,13 +76,13 @@ ContactScale::ContactScale(const OverdampedScene& scene)
     for (const Bond& bond : type.bonds) spring = std::max(spring, bond.stiffness);
   }
   if (strength == 0) strength = spring * largest_radius;
-  std::vector<double> own;
+  std::vector<double> cutoff_of_type;
   for (const SwimmerType& type : scene.types)
-    own.push_back(std::min(cutoff_per_radius, smallest_gap_at_rest(type) / 2));
-  smallest_cutoff_per_radius = std::ranges::min(own);
+    cutoff_of_type.push_back(std::min(cutoff_per_radius, smallest_gap_at_rest(type) / 2));
+  min_cutoff_per_radius = std::ranges::min(cutoff_of_type);
   for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
     const std::size_t beads = scene.type_of(scene.swimmers[s]).beads.size();
-    own_cutoff_per_radius.insert(own_cutoff_per_radius.end(), beads, own[scene.swimmers[s].type]);
+    own_cutoff_per_radius.insert(own_cutoff_per_radius.end(), beads, cutoff_of_type[scene.swimmers[s].type]);
     swimmer.insert(swimmer.end(), beads, static_cast<int>(s));
   }
 }

@@ -95,7 +95,7 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
                .external_stiffness = stiffness[s - first_],
                .viscosity = scene.viscosity,
                .step_wavenumber = kappa,
-               .scale = step.contact_scale,
+               .contact_strength = step.contact_scale.strength,
                .own_cutoff_per_radius = step.contact_scale.own_cutoff_per_radius[range.first]}));
   };
   for (std::size_t s = first_; s < last_; ++s) {

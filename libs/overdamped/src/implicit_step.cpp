@@ -24,7 +24,8 @@ constexpr std::size_t max_directions = 20;
 ///   own_move_tolerance    if own_move_limit is exceeded, u* is iterated until it changes by less than this
 ///   joint_move_tolerance  for all swimmers solved together; if exceeded, u* is moved to the solution
 ///   joint_move_limit      largest distance that counts as converged after max_iterations
-/// The last two are multiples of the smallest cutoff of contacts, over which their force changes.
+/// The two joint limits are also divided by the smallest cutoff of contacts (ContactScale), because the
+/// contact force changes over this distance.
 constexpr double own_move_limit = 1e-3, own_move_tolerance = 1e-6, joint_move_tolerance = 0.05,
                  joint_move_limit = 0.5;
 constexpr int max_own_iterations = 20, max_iterations = 10;
@@ -123,7 +124,7 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
     const double way =
         rule.span / rule.weight * flat(result.velocities).norm() / std::sqrt(3.0 * start.size());
     const double turn = std::sqrt(scene_.tolerance * shortest_arm_ * way) / smallest_radius_;
-    const double cutoff = contact_scale_.smallest_cutoff_per_radius;
+    const double cutoff = contact_scale_.min_cutoff_per_radius;
     if (!(move > std::min(joint_move_tolerance * cutoff, turn)) || !result.is_converged) break;
     if (round == max_iterations) {
       result.is_converged = move < joint_move_limit * cutoff;

@@ -52,7 +52,7 @@ ImplicitSwimmer<Size> implicit_swimmer(const StepRule& rule, const SwimmerSurrou
   const BeadVectors driving = driving_forces(s.type, rule.time, beads, s.initial_orientation);
   Vector forces = own_forces<Size>(s.type, rule.time, beads) + as_vector<Size>(driving);
   Matrix stiffness = own_stiffness<Size>(s.type, rule.time, beads);
-  add_own_contacts(s.type, s.scale.strength, s.own_cutoff_per_radius, beads, forces, stiffness);
+  add_own_contacts(s.type, s.contact_strength, s.own_cutoff_per_radius, beads, forces, stiffness);
   const Vector still = s.history / rule.weight - s.expansion_point;  // u - u* at v = 0
   result.drive = forces - stiffness * still;
   result.resistance = compliance * stiffness;

@@ -49,8 +49,8 @@ struct SwimmerSurroundings {
   const Eigen::MatrixXd& external_stiffness;  ///< of the external contacts [mass/time^2]; empty: no contacts
   double viscosity = 0;                       ///< dynamic viscosity eta [mass/(length time)]
   double step_wavenumber = 0;                 ///< kappa of step_mobility.hpp [1/length]; 0: steady flow
-  const ContactScale& scale;
-  double own_cutoff_per_radius = 0;  ///< of contacts within the swimmer (ContactScale)
+  double contact_strength = 0;                ///< strength of the repulsion (ContactScale) [force]
+  double own_cutoff_per_radius = 0;  ///< cutoff for two beads of the swimmer, divided by their mean radius
 };
 
 /// Linear system (1 + D mu_own) F = drive - D d of a swimmer, and its solution for the given d. An external

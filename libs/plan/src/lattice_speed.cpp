@@ -17,9 +17,8 @@ namespace {
 
 constexpr std::array edges{12, 24, 48, 96};  // edges of a rank's block [cell]; 12 fits in the cache
 constexpr double timing_interval = 0.06;     // duration of one timing [s]
-constexpr double short_interval = 0.01;      // the same for a known speed [s]
+constexpr double short_interval = 0.01;      // duration of one timing in at_present() [s]
 constexpr int rounds = 3;
-constexpr int edge_with_beads = 64;  // of a rank's block with swimmers [cell]
 
 CoupledScene fluid_scene(int edge, Precision precision, int ranks) {
   CoupledScene scene;
@@ -33,7 +32,7 @@ CoupledScene fluid_scene(int edge, Precision precision, int ranks) {
 /// Returns a scene with swimmers at rest side by side. Beads have a radius of 4 cells. The volume fraction of
 /// the beads is that of the swarm in the paper.
 CoupledScene scene_with_beads(Precision precision, BeadScheme scheme, int ranks) {
-  CoupledScene scene = fluid_scene(edge_with_beads, precision, ranks);
+  CoupledScene scene = fluid_scene(64, precision, ranks);
   scene.bead_boundary = scheme;
   ThreeBeadSwimmer type;
   type.beads.fill({.radius = 4, .density = 1});

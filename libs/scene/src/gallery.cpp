@@ -176,9 +176,9 @@ SwimmerType swimmer_type(const Flagellum& flagellum, const Fluid& fluid) {
   const double angular_stiffness = flagellum.angular_stiffness.value_or(std::pow(ratio, 4));
   const double sperm = sperm_number(flagellum, angular_stiffness, fluid);
   // Forces that bend a flexible flagellum would turn a stiff one by about 6/S^3 radian.
-  const double flexible = std::min(1.0, std::pow(sperm / 2, 3));
+  const double reduction = std::min(1.0, std::pow(sperm / 2, 3));
   const double amplitude =
-      flagellum.amplitude.value_or(flexible * sperm * angular_stiffness / (2 * length_of(flagellum)));
+      flagellum.amplitude.value_or(reduction * sperm * angular_stiffness / (2 * length_of(flagellum)));
   constexpr double stretch = 0.01;  // of a bond by the driving forces along it
   BondedSwimmer bonded = flagellum;
   bonded.stiffness =

@@ -22,11 +22,13 @@ const std::array<AbsentFeature, 3>& absent_features() {
         "\"body_force\" and moving walls for flow between no-slip walls; remove the key"},
        {{"stroke", "strokes", "prescribed_stroke", "kinematics", "gait", "waveform", "arm_length",
          "arm_lengths", "arm_amplitudes", "arm_phases", "rest_length", "rest_lengths"},
-        "version 1 of the layout has no prescribed stroke: harmonic forces drive the beads (amplitude, phase, "
+        "version 1 of the layout has no prescribed stroke: harmonic forces drive the beads (amplitude, "
+        "phase, "
         "period of \"driving\"); remove the key, or prescribe lengths and angles in a layout of version 2 "
         "(beadswim-layout shape prescribed-three-bead)"},
        {{"gravity", "external_force", "temperature", "kT", "thermal_noise", "noise"},
-        "this version has neither gravity nor thermal noise; remove the key, or set constant forces on beads in "
+        "this version has neither gravity nor thermal noise; remove the key, or set constant forces on beads "
+        "in "
         "a layout of version 2 with the key net_force (beadswim-layout shape sphere)"}}};
   return features;
 }

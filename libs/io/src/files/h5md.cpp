@@ -107,7 +107,7 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHead
       box_(header.box),
       continues_checkpoint_(checkpoint != nullptr),
       lock_(lock_output(path, communicator)) {
-  on_root([&] {
+  run_on_root([&] {
     if (checkpoint != nullptr) checkpoint->copy_to(trajectory_section, lock_.descriptor);
     open(header);
   });
@@ -132,7 +132,7 @@ void TrajectoryWriter::open(const TrajectoryHeader& header) {
   }
 }
 
-void TrajectoryWriter::on_root(const std::function<void()>& write) const {
+void TrajectoryWriter::run_on_root(const std::function<void()>& write) const {
   std::string fault;
   if (communicator_.is_root()) {
     try {
@@ -270,7 +270,7 @@ void TrajectoryWriter::require_written(herr_t status) const {
 }
 
 void TrajectoryWriter::append(const TrajectoryFrame& frame) {
-  on_root([&] {
+  run_on_root([&] {
     const WrappedPositions wrapped = wrap(frame.positions, box_);
     const std::vector<float> velocities = flattened(frame.velocities);
     const Eigen::Matrix3d edges = (box_ ? box_->lengths : Vec3::Zero()).asDiagonal();
@@ -287,7 +287,7 @@ void TrajectoryWriter::append(const TrajectoryFrame& frame) {
 }
 
 void TrajectoryWriter::append(const TrajectoryCycle& cycle) {
-  on_root([&] {
+  run_on_root([&] {
     append_row(cycles_.step_name, &cycle.step);
     append_row(cycles_.time_name, &cycle.time);
     for (const Column& column : cycle.columns)
@@ -305,7 +305,7 @@ TrajectoryWriter::Lock::~Lock() {
 }
 
 void TrajectoryWriter::finish() {
-  on_root([&] {
+  run_on_root([&] {
     for (auto& [name, series] : series_) series.dataset.close_checked(path_ + ":/" + name);
     file_.close_checked(path_);
     if (const int reason = name_finished_file(path_); reason != 0) {

@@ -47,12 +47,12 @@ Eigen::Matrix2d axes_of(const Polar& place) {
   return axes;
 }
 
-/// Degree n of both series at a point: factors that depend on r, and factors that depend on theta. The first
-/// series has u_r = first_r value and u_theta = first_theta slope, and decreases as r^-(n+2).
+/// Factors of degree n of both series at a point. The first series has u_r = first_r value and
+/// u_theta = first_theta slope, the second u_r = second_r value and u_theta = second_theta slope.
 struct Degree {
-  double first_r, first_theta;
-  Complex second_r, second_theta;                ///< the same for the second series
-  Complex second_r_change, second_theta_change;  ///< their derivatives by log r
+  double first_r, first_theta;  ///< proportional to r^-(n+2)
+  Complex second_r, second_theta;
+  Complex second_r_change, second_theta_change;  ///< derivatives of second_r and second_theta by log r
   double value, slope, curvature;                ///< P_n(cos theta) and its first two derivatives by theta
 };
 

@@ -52,7 +52,7 @@ struct Panel {
   AxisLabel value_label{};       ///< label of the values of the map
   TickKind x_ticks = TickKind::any;
   ScaleKind x_scale = ScaleKind::linear, y_scale = ScaleKind::linear;
-  std::string title{};
+  std::string title{};  ///< text above the panel; empty: none
 };
 
 /// Panels in one column, each with its legend to the right, and notes below the panels.

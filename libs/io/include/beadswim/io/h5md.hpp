@@ -73,8 +73,8 @@ std::vector<float> flattened(const std::vector<Vec3>& vectors);
 /// Writes a trajectory frame by frame. All functions are collective and throw SolverError on all ranks if the
 /// file cannot be written. Only rank 0 writes, without MPI-IO, which would wait for the disk after each
 /// frame. The file is named PATH.part until finish(). Each frame is passed to the operating system, so that
-/// the file of a killed run contains only complete frames. The bytes of the file do not depend on the number
-/// of ranks.
+/// the file of a killed run lacks at most a part of its last frame. The bytes of the file do not depend on
+/// the number of ranks.
 class TrajectoryWriter {
  public:
   /// Creates PATH.part. With a checkpoint, the file starts with the frames that the checkpoint contains.
@@ -95,7 +95,7 @@ class TrajectoryWriter {
 
  private:
   /// Calls write() on rank 0. Throws its SolverError on all ranks. Collective.
-  void on_root(const std::function<void()>& write) const;
+  void run_on_root(const std::function<void()>& write) const;
 
   // The remaining functions are for rank 0.
 

@@ -14,7 +14,7 @@ class H5Handle {
  public:
   using Close = herr_t (*)(hid_t);
 
-  /// Owns nothing.
+  /// Constructs a handle that owns no identifier.
   H5Handle() = default;
 
   /// Throws SolverError if `id` is negative. `what` names the object in the message.

@@ -23,11 +23,12 @@ struct Contact {
 struct ContactScale {
   /// Cutoff of the gap, divided by the mean radius of the two beads.
   double cutoff_per_radius = 0.2;
-  /// The same for two beads of one swimmer, for each bead of the scene: at most half of the smallest gap of
-  /// the swimmer at rest, so that its beads do not repel each other at rest.
+  /// Cutoff for two beads of one swimmer, divided by their mean radius; one element per bead of the scene. It
+  /// is at most half of the smallest gap of the swimmer at rest, so that its beads do not repel each other
+  /// at rest.
   std::vector<double> own_cutoff_per_radius;
-  std::vector<int> swimmer;           ///< index of the swimmer of each bead of the scene
-  double smallest_cutoff_per_radius;  ///< minimum of all cutoffs
+  std::vector<int> swimmer;      ///< index of the swimmer of each bead of the scene
+  double min_cutoff_per_radius;  ///< minimum of all cutoffs, divided by the mean radius
   /// Strength of the repulsion: the largest driving force [force]. Without driving, it is the force that
   /// stretches the stiffest spring by the radius of the largest bead.
   double strength = 0;
