@@ -35,6 +35,16 @@ check "the stated uncertainty covers the error" holds --slurpfile theory theory.
   '.swimmers[0] | (.cycles[-1].speed_along_axis / $theory[0].predictions[0].velocity - 1 | fabs) as $error
     | $error > 1 and .uncertainty.velocity.total > $error' out
 
+# --- beads that are pressed together at a gap far below a fifth of a radius: steps resolve the contact
+beadswim-layout swimmer --preset paper-single --period 2000 --amplitude 0.05 --arm 8.004 --unbounded >pressed.json
+for steps in 120 960; do
+  run beadswim-run pressed.json --model rpy+near -o pressed.h5md --cycles 3 --steps-per-cycle $steps --progress none
+  has_status 0
+  cp out pressed-$steps.json
+done
+check "the velocity does not depend on the time step" holds -s \
+  'map(.swimmers[0].cycles[-1].speed_along_axis) | .[0] / .[1] - 1 | fabs < 0.01' pressed-120.json pressed-960.json
+
 # --- in the layout's own box, periodic and midway between walls
 for boundary in periodic periodic,free-slip,free-slip; do
   beadswim-layout swimmer --preset paper-single --box 100,60,60 --boundary $boundary --amplitude 0.2 >box.json
