@@ -45,20 +45,20 @@ std::vector<RowKernels> kernels() {
 template <class Real>
 Rows<Real> swept(const RowKernels& kernels, const Rows<Real>& from, long cells,
                  const BodyForce<Real>& force = {}) {
-  Rows<Real> to;
-  SweepRow<Real> row{.from = {},
-                     .to = {},
+  Rows<Real> places = from;
+  SweepRow<Real> row{.incoming = {},
                      .first = 0,
                      .cells = cells,
                      .rates = collision_rates<Real>(relaxation_rates(0.7)),
                      .force = force};
-  for (int i = 0; i < d3q19::directions; ++i) {
-    to[i].resize(cells);
-    row.from[i] = from[i].data();
-    row.to[i] = to[i].data();
-  }
+  for (int i = 0; i < d3q19::directions; ++i) row.incoming[i] = places[i].data();
   kernels.sweep(row);
-  return to;
+  Rows<Real> outgoing;
+  for (int i = 0; i < d3q19::directions; ++i) {
+    places[i].resize(cells);
+    outgoing[i] = places[d3q19::opposite(i)];
+  }
+  return outgoing;
 }
 
 template <class Real>

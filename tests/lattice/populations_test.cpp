@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <set>
 
 namespace beadswim {
@@ -45,10 +46,30 @@ TEST_P(PopulationsOf, ACellsNextPlacesAreThoseOfItsIncomingOnes) {
           written.insert(populations.next_outgoing_row<Real>(i, cell));
         }
         EXPECT_EQ(read, written);
+        for (int i = 0; i < d3q19::directions; ++i)  // as the sweep assumes
+          EXPECT_EQ(populations.next_outgoing_row<Real>(i, cell),
+                    populations.incoming_row<Real>(d3q19::opposite(i), cell));
         all.insert(read.begin(), read.end());
       });
       EXPECT_EQ(all.size(), std::size_t(size.prod()) * d3q19::directions);
     }
+  });
+}
+
+// Rows begin at a cache line if the halo and the padding of a row are short.
+TEST_P(PopulationsOf, RowsAreAlignedWhereThatCostsLittleMemory) {
+  in_precision(GetParam(), [&]<class Real>() {
+    Populations aligned(Index3(120, 3, 3), GetParam()), dense(Index3(6, 3, 3), GetParam());
+    aligned.advance(RowEnds::left_to_halo);
+    for (int i = 0; i < d3q19::directions; ++i) {
+      const auto address =
+          reinterpret_cast<std::uintptr_t>(aligned.outgoing_row<Real>(i, aligned.cell(0, 2, 1)));
+      EXPECT_EQ(address % 64, 0) << i;
+    }
+    EXPECT_EQ(aligned.pitch(1), 128);
+    EXPECT_EQ(dense.pitch(1), 8);
+    EXPECT_EQ(Populations(Index3(62, 3, 3), GetParam()).pitch(1), 64);
+    EXPECT_EQ(Populations(Index3(64, 3, 3), GetParam()).pitch(1), 66);
   });
 }
 

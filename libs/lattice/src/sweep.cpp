@@ -23,7 +23,7 @@ constexpr int max_short_run = 16;  ///< [cell]
 /// processor itself foresees only the addresses of long runs.
 template <class Real>
 void prefetch(const SweepRow<Real>& row, std::ptrdiff_t first) {
-  for (const Real* from : row.from) {
+  for (const Real* from : row.incoming) {
     __builtin_prefetch(from + first, 1);
     __builtin_prefetch(from + first + row.cells - 1, 1);
   }
@@ -39,9 +39,9 @@ void fill_row_ends(const SweepRow<Real>& row, RowEnds row_ends) {
     const int sign = d3q19::velocity[i][0];
     if (sign == 0) continue;
     const std::ptrdiff_t halo = sign > 0 ? first - 1 : last + 1;
-    if (row_ends == RowEnds::wrapped) row.to[i][halo] = row.to[i][sign > 0 ? last : first];
+    if (row_ends == RowEnds::wrapped) row.outgoing(i)[halo] = row.outgoing(i)[sign > 0 ? last : first];
     if (row_ends == RowEnds::mirrored)
-      row.to[i][halo] = row.to[d3q19::mirrored(i, 0)][sign > 0 ? first : last];
+      row.outgoing(i)[halo] = row.outgoing(d3q19::mirrored(i, 0))[sign > 0 ? first : last];
   }
 }
 
@@ -60,10 +60,7 @@ BlockSweep::BlockSweep(Populations& populations, const RelaxationRates& rates, R
     SweepRow<Real> row;
     row.rates = collision_rates<Real>(rates);
     row.force = in_kernel_form<Real>(body_force);
-    for (int i = 0; i < d3q19::directions; ++i) {
-      row.from[i] = populations.incoming_row<Real>(i, 0);
-      row.to[i] = populations.next_outgoing_row<Real>(i, 0);
-    }
+    for (int i = 0; i < d3q19::directions; ++i) row.incoming[i] = populations.incoming_row<Real>(i, 0);
     rows_->row = row;
   });
 }

@@ -28,7 +28,7 @@ double bead_surface(const CoupledScene& scene) {
 }
 
 double lattice_bytes(const CoupledScene& scene) {
-  constexpr double padding = 1.04;  // memory of block and halo, divided by the memory of the block
+  constexpr double padding = 1.1;  // memory of block, halo and alignment, divided by the memory of the block
   const double number = static_cast<double>(bytes_per_population(scene.precision));
   const double cells = padding * (d3q19::directions * number + 1) * cells_on_levels(scene.all_levels());
   // Links per unit of surface area [1/cell^2]: sum of |c_i.n| over one direction of each opposite pair,
