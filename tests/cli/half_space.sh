@@ -27,6 +27,11 @@ run beadswim-theory over.json
 has_status 0
 check 'other methods ignore the wall' holds '[.predictions[].method] == ["oseen-ode", "rpy-ode"]' out
 
+# --- `check` states the height and, with a flow, the strain per period
+run beadswim-layout check --json over.json
+has_status 0
+check 'the height is wrong' holds '.smallest_relative_height == 6 and (.types.a | has("strain_per_period") or has("shear_reynolds") | not)' out
+
 # --- models, ranks and a restart agree
 run mpirun -n 2 beadswim-run over.json -o two.h5md "${settings[@]}" --cycles 2 --checkpoint-every 1
 has_status 0
@@ -50,6 +55,13 @@ over_wall 24 --amplitude 0 | jq '.flow = {velocity_gradient: [[0, 0, 1e-5], [0, 
 run beadswim-run sheared.json -o sheared.h5md "${settings[@]}" --cycles 1
 has_status 0
 check 'the swimmer does not move with the flow' holds '.flow.velocity_gradient[0][2] == 1e-5 and (.swimmers[0].cycles[0].velocity[0] / 24e-5 - 1 | fabs) < 1e-3' out
+run beadswim-layout check --json sheared.json
+has_status 0
+check 'the numbers of the flow are wrong' holds '.types.a | (.strain_per_period / 0.048 - 1 | fabs) < 1e-12 and (.shear_reynolds / 48e-5 - 1 | fabs) < 1e-12' out
+run beadswim-layout check sheared.json
+out_has 'over the wall/radius of the bead +6$'
+out_has 'strain of the background flow per period, G T +0.048$'
+out_has 'Re of the shear = G lambda\^2/nu +0.00048$'
 run beadswim-theory sheared.json --method rpy-ode
 has_status 0
 check 'theory does not move it with the flow' holds '.predictions[0].velocity_vector[0] / 24e-5 - 1 | fabs < 1e-3' out
@@ -65,6 +77,7 @@ has_status 0
 run beadswim-run <(jq '.flow.velocity = [0.2, 0, 0]' carried.json) -o fast.h5md "${settings[@]}" --cycles 1
 has_status 0
 mv out fast-run.json
+check 'the Reynolds number contains the velocity of the flow' holds '[., input] | map(.dimensionless.reynolds_bead) | .[1] / .[0] - 1 | fabs < 1e-6' free-run.json fast-run.json
 check 'a fast uniform flow changes the motion' holds '[., input] | map(.swimmers[0].cycles[0].velocity[0]) | .[1] - .[0] - 0.2 | fabs < 1e-7' free-run.json fast-run.json
 run beadswim-run carried.json -o carried.h5md "${settings[@]}" --cycles 1
 check 'a uniform flow changes more than the velocity' holds '[., input] | map(.swimmers[0].cycles[0].velocity) | (.[1][0] - .[0][0] - 1e-4 | fabs) < 1e-9 and (.[1][1] - 2e-4 | fabs) < 1e-9' free-run.json out

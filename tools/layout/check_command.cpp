@@ -46,6 +46,9 @@ std::string table_of(const std::string& name, const TypeNumbers& numbers) {
     text += row("predicted arm amplitudes d1, d2 (first order, Rotne-Prager)", joined(numbers.arm_amplitude));
   if (!numbers.arm_gap.empty()) text += row("gaps between an arm's beads at rest", joined(numbers.arm_gap));
   if (numbers.box_over_length) text += row("box/swimmer length, x, y, z", joined(*numbers.box_over_length));
+  if (numbers.strain_per_period)
+    text += row("strain of the background flow per period, G T", *numbers.strain_per_period);
+  if (numbers.shear_reynolds) text += row("Re of the shear = G lambda^2/nu", *numbers.shear_reynolds);
   return text;
 }
 
@@ -69,6 +72,8 @@ std::string table_of(const Layout& layout, const SceneNumbers& numbers) {
   std::string text = "scene\n" + row("swimmers", std::to_string(layout.swimmers.size())) +
                      row("units", units) +
                      row("smallest gap between surfaces (beads, images, walls)", numbers.smallest_gap);
+  if (numbers.smallest_relative_height)
+    text += row("smallest height over the wall/radius of the bead", *numbers.smallest_relative_height);
   for (const auto& [name, of_type] : numbers.types) text += table_of(name, of_type);
   if (numbers.resolution) text += table_of(*numbers.resolution);
   return text;

@@ -7,7 +7,9 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace beadswim {
@@ -35,18 +37,29 @@ std::string parameter_text(const std::vector<PlottedPrediction>& predictions, co
   return fmt::format("{} = {}{}", parameter.symbol, range_text(values, 4), parameter.unit);
 }
 
+/// Returns where a prediction's fluid is in words; `fluid`: its setting of this name.
+std::string place_of_fluid(const std::string& fluid) {
+  constexpr std::string_view half_space = "half-space", unbounded = "unbounded";
+  if (fluid.starts_with(half_space)) return "fluid over a wall" + fluid.substr(half_space.size());
+  if (fluid.starts_with(unbounded)) return "unbounded fluid" + fluid.substr(unbounded.size());
+  return "in the layout's box";
+}
+
 /// Returns the fluid for which predictions were made, for example "unbounded fluid; inertia-corrected in the
 /// layout's box".
 std::string fluid_text(const std::vector<PlottedPrediction>& predictions) {
-  std::set<std::string> boxed, open;
+  std::map<std::string, std::set<std::string>> methods;  // by place
   for (const PlottedPrediction& plotted : predictions) {
     const auto fluid = text_setting(plotted.prediction, "fluid");
     if (!fluid) return {};
-    (*fluid == "unbounded" ? open : boxed).insert(plotted.prediction.method);
+    methods[place_of_fluid(*fluid)].insert(plotted.prediction.method);
   }
-  if (boxed.empty()) return "unbounded fluid";
-  if (open.empty()) return "in the layout's box";
-  return fmt::format("unbounded fluid; {} in the layout's box", summarise_names(boxed, "methods"));
+  if (methods.empty()) return {};
+  const auto usual = std::prev(methods.end());  // open fluid, unless all predictions are for the box
+  std::string text = usual->first;
+  for (auto other = methods.begin(); other != usual; ++other)
+    text += fmt::format("; {} {}", summarise_names(other->second, "methods"), other->first);
+  return text;
 }
 
 /// Returns the range of a quantity over all runs that have it.

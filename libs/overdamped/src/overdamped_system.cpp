@@ -250,7 +250,10 @@ void OverdampedSystem::step() {
     return;
   }
   state_.steps_done < 2 && !scene_.memory ? take_first_step() : take_bdf_step();
-  for (const Vec3& v : state_.velocities[0]) state_.largest_speed = std::max(state_.largest_speed, v.norm());
+  for (std::size_t b = 0; b < radii_.size(); ++b) {
+    const Vec3 slip = state_.velocities[0][b] - scene_.flow.at(state_.positions[0][b]);
+    state_.largest_speed = std::max(state_.largest_speed, slip.norm());
+  }
 }
 
 /// Records the first fault in this step, if there is one. Each rank stores all beads, so that all ranks find

@@ -89,8 +89,7 @@ SceneFacts scene_facts(const Layout& layout, double cycles) {
     facts.cell = layout;
   }
   if (const auto& half_space = layout.domain.half_space)
-    for (const PlacedBead& bead : placed_beads(layout))
-      facts.height = std::min(facts.height, half_space->height(bead.centre) / bead.radius);
+    facts.height = smallest_relative_height(placed_beads(layout), *half_space);
   for (Representative& representative : representatives(facts.cell))
     facts.swimmer_facts.push_back(evaluate_swimmer(std::move(representative)));
   for (SwimmerFacts& swimmer_facts : facts.swimmer_facts)

@@ -115,4 +115,11 @@ double smallest_gap(const std::vector<PlacedBead>& beads, const Domain& domain) 
   return gap;
 }
 
+double smallest_relative_height(const std::vector<PlacedBead>& beads, const HalfSpace& half_space) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const PlacedBead& bead : beads)
+    smallest = std::min(smallest, half_space.height(bead.centre) / bead.radius);
+  return smallest;
+}
+
 }  // namespace beadswim

@@ -29,9 +29,9 @@ TypeNumbers type_numbers(const SwimmerType& type, const Layout& layout) {
   const double nu = layout.fluid.kinematic_viscosity;
   const double omega = 2 * std::numbers::pi / type.driving.period;
   TypeNumbers numbers;
+  const double largest = std::ranges::max(type.beads, {}, &Bead::radius).radius;
   numbers.penetration_depth = std::sqrt(2 * nu / omega);
-  numbers.radius_over_penetration_depth =
-      std::ranges::max(type.beads, {}, &Bead::radius).radius / numbers.penetration_depth;
+  numbers.radius_over_penetration_depth = largest / numbers.penetration_depth;
   for (const Bond& bond : type.bonds) {
     const auto [i, j] = bond.beads;
     const double radius = (type.beads[i].radius + type.beads[j].radius) / 2;
@@ -41,6 +41,10 @@ TypeNumbers type_numbers(const SwimmerType& type, const Layout& layout) {
     numbers.arm_gap.push_back(bond.rest_length - 2 * radius);
   }
   if (layout.domain.box) numbers.box_over_length = box_over_length(*layout.domain.box, type);
+  if (const double shear_rate = layout.flow.shear_rate(); shear_rate > 0) {
+    numbers.strain_per_period = shear_rate * type.driving.period;
+    numbers.shear_reynolds = shear_rate * largest * largest / nu;
+  }
   const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
   if (!three) return numbers;
   const CollinearSwimmer swimmer = along_own_axis(*three, layout.fluid);
@@ -89,7 +93,10 @@ std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer) {
 SceneNumbers scene_numbers(const Layout& layout) {
   SceneNumbers numbers;
   for (const auto& [name, type] : layout.types) numbers.types[name] = type_numbers(type, layout);
-  numbers.smallest_gap = smallest_gap(placed_beads(layout), layout.domain);
+  const std::vector<PlacedBead> beads = placed_beads(layout);
+  numbers.smallest_gap = smallest_gap(beads, layout.domain);
+  if (const auto& half_space = layout.domain.half_space)
+    numbers.smallest_relative_height = smallest_relative_height(beads, *half_space);
   if (layout.resolution) numbers.resolution = resolution_numbers(layout);
   return numbers;
 }

@@ -18,6 +18,12 @@ struct Pairs {
 };
 const Pairs oseen_flow{"Oseen", oseen_pairs}, rotne_prager_flow{"Rotne-Prager", rotne_prager_tensor};
 
+/// Returns the value of the setting "fluid".
+std::string fluid_name(const ShapedSwimmer& swimmer) {
+  return fmt::format("{}{}", swimmer.half_space ? "half-space" : "unbounded",
+                     swimmer.flow.is_zero() ? "" : ", with background flow");
+}
+
 std::string fluid_text(const ShapedSwimmer& swimmer) {
   std::string text = "unbounded fluid";
   if (const auto& half_space = swimmer.half_space)
@@ -51,7 +57,7 @@ Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, co
       "the error for this shape is not known",
       pairs.name, amplitude, fluid_text(swimmer), depth / radius);
   prediction.settings = {{"mobility", pairs.name},
-                         {"fluid", swimmer.half_space ? "half-space" : "unbounded"},
+                         {"fluid", fluid_name(swimmer)},
                          {"period", swimmer.type.driving.period},
                          {"towing_drag", drag}};
   if (std::isfinite(motion.smallest_gap))

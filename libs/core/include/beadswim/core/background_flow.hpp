@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <numbers>
 
 #include "beadswim/core/vec3.hpp"
 
@@ -13,6 +14,10 @@ struct BackgroundFlow {
 
   bool is_zero() const { return velocity.isZero(0) && velocity_gradient.isZero(0); }
   Vec3 at(const Vec3& position) const { return velocity + velocity_gradient * position; }
+  /// Returns sqrt(2 E:E) of the rate-of-strain tensor E, the shear rate in simple shear [1/time].
+  double shear_rate() const {
+    return (velocity_gradient + velocity_gradient.transpose()).norm() / std::numbers::sqrt2;
+  }
 
   bool operator==(const BackgroundFlow&) const = default;
 };

@@ -69,8 +69,9 @@ struct OverdampedFault {
 /// State from which a run continues, and statistics of all steps so far.
 struct OverdampedState {
   long steps_done = 0;
-  ProductWork work;          ///< of all mobility products so far
-  double largest_speed = 0;  ///< largest speed of any bead in any step [length/time]
+  ProductWork work;  ///< of all mobility products so far
+  double largest_speed =
+      0;  ///< largest speed of any bead in any step, relative to the background flow [length/time]
   /// Smallest gap of any contact in any step [length]; infinity without contacts.
   double smallest_gap = std::numeric_limits<double>::infinity();
   std::array<Beads, 3> positions;   ///< positions now, one step ago and two steps ago [length]

@@ -54,4 +54,7 @@ std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
 /// Negative if surfaces overlap.
 double smallest_gap(const std::vector<PlacedBead>& beads, const Domain& domain);
 
+/// Returns the smallest height of a bead's centre above the wall, relative to the radius of the bead.
+double smallest_relative_height(const std::vector<PlacedBead>& beads, const HalfSpace& half_space);
+
 }  // namespace beadswim

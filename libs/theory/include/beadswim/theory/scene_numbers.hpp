@@ -25,6 +25,8 @@ struct TypeNumbers {
   std::vector<double> arm_amplitude;         ///< d_i to first order with Rotne-Prager mobility [length]
   std::vector<double> arm_gap;               ///< distance of the surfaces of the arm's beads at rest [length]
   std::optional<std::array<double, 3>> box_over_length;  ///< box edges / swimmer length
+  std::optional<double> strain_per_period;               ///< shear rate G of the background flow x period
+  std::optional<double> shear_reynolds;                  ///< G lambda^2 / nu with the largest radius lambda
 
   static void visit_fields(auto&& visit, auto& numbers) {
     visit("phase", numbers.phase, omitted_if_none);
@@ -36,6 +38,8 @@ struct TypeNumbers {
     visit("arm_amplitudes", numbers.arm_amplitude, omitted_if_none);
     visit("arm_gaps", numbers.arm_gap);
     visit("box_over_swimmer_length", numbers.box_over_length, omitted_if_none);
+    visit("strain_per_period", numbers.strain_per_period, omitted_if_none);
+    visit("shear_reynolds", numbers.shear_reynolds, omitted_if_none);
   }
 };
 
@@ -63,10 +67,13 @@ struct ResolutionNumbers {
 struct SceneNumbers {
   std::map<std::string, TypeNumbers> types;
   double smallest_gap = 0;  ///< smallest gap at rest of beads, images and walls [length]
+  /// Smallest height of a bead's centre over the wall of a half-space, relative to the radius of the bead.
+  std::optional<double> smallest_relative_height;
   std::optional<ResolutionNumbers> resolution;
 
   static void visit_fields(auto&& visit, auto& numbers) {
     visit("smallest_gap", numbers.smallest_gap);
+    visit("smallest_relative_height", numbers.smallest_relative_height, omitted_if_none);
     visit("types", numbers.types);
     visit("resolution", numbers.resolution, omitted_if_none);
   }
