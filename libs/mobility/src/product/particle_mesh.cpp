@@ -355,7 +355,7 @@ void ParticleMesh::Mesh::transform_forces() {
 void ParticleMesh::Mesh::multiply(FlowPart part) {
   if (!is_periodic) {
     multiply_open();
-  } else if (classes) {
+  } else if (classes && fields > 1) {
     multiply_classes();
   } else {
     multiply_periodic();
@@ -369,19 +369,21 @@ void ParticleMesh::Mesh::multiply(FlowPart part) {
 /// flow of point forces; the factor is 0 for k = 0, so that the mean flow is zero.
 template <class Kernel>
 void ParticleMesh::Mesh::for_each_kernel(const Kernel& kernel) const {
-  std::array<double, 3> wave, remaining;  // wavenumber per index; exponent of the kernel per squared index
+  const auto& n = geometry.points;
+  std::array<double, 3> wave;                // wavenumber per index
+  std::array<std::vector<double>, 3> decay;  // factor of the kernel's Gaussian, by the magnitude of the index
   for (int a = 0; a < 3; ++a) {
     wave[a] = 2 * std::numbers::pi / lengths[a];
-    remaining[a] = (1 - share_of(plan, geometry, a)) * wave[a] * wave[a] / (4 * plan.xi * plan.xi);
+    const double exponent = (1 - share_of(plan, geometry, a)) * wave[a] * wave[a] / (4 * plan.xi * plan.xi);
+    for (int i = 0; i <= n[a] / 2; ++i) decay[a].push_back(std::exp(-exponent * i * i));
   }
-  const auto& n = geometry.points;
   const double scale = 1 / (double(n[0]) * n[1] * n[2]);  // h^3/V: mesh cell over box volume
   transform->for_each_wave([&](std::ptrdiff_t place, int i, int j, int l) {
     const Vec3 k(i * wave[0], j * wave[1], l * wave[2]);
     const double k2 = k.squaredNorm();
     if (k2 == 0) return kernel(place, Vec3(1, 0, 0), 1.0, 0.0);
-    const double exponent = i * i * remaining[0] + j * j * remaining[1] + l * l * remaining[2];
-    kernel(place, k, k2, scale * far_spectrum(plan.xi, k2, exponent, beads.viscosity));
+    const double decays = decay[0][std::abs(i)] * decay[1][std::abs(j)] * decay[2][l];
+    kernel(place, k, k2, scale * far_spectrum(plan.xi, k2, decays, beads.viscosity));
   });
 }
 

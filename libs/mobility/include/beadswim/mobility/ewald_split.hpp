@@ -75,12 +75,12 @@ inline double far_self_mobility(double xi, double squared_radius, double viscosi
          (8 * std::numbers::pi * viscosity);
 }
 
-/// Evaluates (1 + k^2/(4 xi^2)) exp(-exponent)/(eta k^2), the scalar factor of the far part in Fourier space,
-/// for the squared wavenumber k2 = k^2 > 0 [1/length^2]. The complete far part has exponent = k^2/(4 xi^2).
-/// The Gaussian windows of the mesh apply a share of this exponent, and the argument `exponent` is the
+/// Evaluates (1 + k^2/(4 xi^2)) decay/(eta k^2), the scalar factor of the far part in Fourier space, for the
+/// squared wavenumber k2 = k^2 > 0 [1/length^2]. The complete far part has decay = exp(-k^2/(4 xi^2)). The
+/// Gaussian windows of the mesh apply a share of this exponent, and the argument `decay` contains the
 /// remaining share (particle_mesh.hpp).
-inline double far_spectrum(double xi, double k2, double exponent, double viscosity) {
-  return (1 + k2 / (4 * xi * xi)) * std::exp(-exponent) / (viscosity * k2);
+inline double far_spectrum(double xi, double k2, double decay, double viscosity) {
+  return (1 + k2 / (4 * xi * xi)) * decay / (viscosity * k2);
 }
 
 // clang-format off
