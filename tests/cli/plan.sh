@@ -81,6 +81,11 @@ jq --slurpfile plan expected.json --argjson size "$(stat -c %s sized.h5md)" \
   '[.cost.peak_memory_bytes / $plan[0].runs[0].cost.memory_bytes, $size / $plan[0].runs[0].cost.output_bytes]' out >sizes.json
 check "memory and output are within a third" holds 'all(. > 0.67 and . < 1.5)' sizes.json
 
+# --- a scene that no model can run: the message has every reason
+beadswim-layout swimmer --preset paper-single --unbounded --amplitude 3 >strong.json
+refuses 'no model can run this scene with these flags\. --model oseen.*reduce --amplitude.*--model lbm.*lattice needs a box' \
+  beadswim-run strong.json -o strong.h5md --model auto --tolerance 0.1
+
 # --- a small driving, slowly: a mobility model does, and its sums keep a tolerance of their own
 beadswim-layout swimmer --preset paper-single --unbounded --period 100000 --amplitude 0.05 >slow.json
 run beadswim-run slow.json -o slow.h5md --model auto --tolerance 0.02 --cycles 2

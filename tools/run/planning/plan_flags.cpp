@@ -1,6 +1,10 @@
 #include "planning/plan_flags.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <regex>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/plan/percent.hpp"
@@ -50,20 +54,36 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
   return flags;
 }
 
+std::vector<std::string> refusals(const RunPlan& plan, const RunOptions& options) {
+  std::vector<const PlannedRun*> firsts;  // the first run of each reason
+  std::map<std::string, int> runs;        // by reason, with # in place of numbers
+  const auto kind = [](const PlannedRun& run) {
+    return std::regex_replace(run.refused, std::regex("[0-9][0-9.e+-]*"), "#");
+  };
+  for (const PlannedRun& run : plan.runs)
+    if (!run.refused.empty() && ++runs[kind(run)] == 1) firsts.push_back(&run);
+  std::vector<std::string> texts;
+  for (const PlannedRun* run : firsts) {
+    const int others = runs[kind(*run)] - 1;
+    texts.push_back(fmt::format("{}{}: {}", flags_of(*run, options),
+                                others > 0 ? fmt::format(", and {} similar runs", others) : "",
+                                run->refused));
+  }
+  return texts;
+}
+
 const PlannedRun& choose_run(const RunPlan& plan, const RunOptions& options) {
   if (plan.choice) return plan.runs[*plan.choice];
-  const auto flags = [&](const PlannedRun& run) { return flags_of(run, options); };
   if (!plan.best)
-    throw InputError("--plan", fmt::format("no model can run this scene with these flags; for example, the "
-                                           "run with {} is rejected, because of this fault: {}",
-                                           flags(plan.runs.back()), plan.runs.back().refused));
+    throw InputError("--plan", fmt::format("no model can run this scene with these flags. {}",
+                                           fmt::join(refusals(plan, options), ". ")));
   const PlannedRun& best = plan.runs[*plan.best];
   throw InputError(
       "--tolerance",
       fmt::format("no run has an expected error within {}; the run with the smallest expected error, {}, has "
                   "an expected error of {}: raise the tolerance to that value, leave out flags that exclude "
                   "other runs, or change the scene as --plan proposes",
-                  in_percent(plan.tolerance), flags(best), in_percent(best.error.largest())));
+                  in_percent(plan.tolerance), flags_of(best, options), in_percent(best.error.largest())));
 }
 
 }  // namespace beadswim

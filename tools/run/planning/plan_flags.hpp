@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "beadswim/plan/run_plan.hpp"
 #include "command_line/options.hpp"
@@ -17,8 +18,12 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
 /// --cells-per-radius 3 ...". `options`: command line that requested the plan.
 std::string flags_of(const PlannedRun& run, const RunOptions& options);
 
+/// Returns the reasons why runs are refused, each after the flags of such a run. Runs whose reasons differ
+/// only in numbers share one entry.
+std::vector<std::string> refusals(const RunPlan& plan, const RunOptions& options);
+
 /// Returns the cheapest planned run whose expected error is within the tolerance. Throws InputError if there
-/// is no such run; the message states the run with the smallest expected error.
+/// is no such run; the message states the run with the smallest expected error, or why all runs are refused.
 const PlannedRun& choose_run(const RunPlan& plan, const RunOptions& options);
 
 }  // namespace beadswim

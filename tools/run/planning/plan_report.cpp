@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <regex>
 #include <set>
 
@@ -22,12 +21,6 @@ constexpr const char* error_definition =
 std::string percent(double share) {
   if (share == 0) return "-";
   return share < 10 ? fmt::format("{:.2g}", 100 * share) : "> 1000";
-}
-
-/// Replaces the numbers in the reason why a run is impossible by #. Reasons that differ only in numbers
-/// become equal and can be grouped.
-std::string reason_kind(std::string reason) {
-  return std::regex_replace(reason, std::regex("[0-9][0-9.e+-]*"), "#");
 }
 
 /// Returns true if no other possible run is cheaper and has an expected error of at most 1.05 times the error
@@ -113,24 +106,16 @@ std::string plan_row(const PlannedRun& run, const RunOptions& options, const Com
 std::string plan_table(const RunPlan& plan, const RunOptions& options, const Communicator& communicator) {
   std::string text = plan_head();
   std::vector<const PlannedRun*> front;
-  std::map<std::string, std::vector<const PlannedRun*>> refused;
   for (const PlannedRun& run : plan.runs) {
-    if (!run.refused.empty()) {
-      refused[reason_kind(run.refused)].push_back(&run);
-    } else if (run.settings.model != RunModel::lbm || is_on_front(plan, run)) {
+    if (run.refused.empty() && (run.settings.model != RunModel::lbm || is_on_front(plan, run)))
       front.push_back(&run);
-    }
   }
   std::ranges::sort(front, {}, &PlannedRun::core_seconds);
   const PlannedRun* choice = plan.choice ? &plan.runs[*plan.choice] : nullptr;
   for (const PlannedRun* run : front)
     text += plan_row(*run, options, communicator, run == choice ? "<- cheapest" : "");
   text += cells_by_level(front) + fmt::format("error: {}\n", error_definition);
-  for (const auto& [kind, runs] : refused) {
-    const std::string others = runs.size() > 1 ? fmt::format(", and {} similar runs", runs.size() - 1) : "";
-    text +=
-        fmt::format("refused: {}{}: {}\n", flags_of(*runs.front(), options), others, runs.front()->refused);
-  }
+  for (const std::string& refusal : refusals(plan, options)) text += fmt::format("refused: {}\n", refusal);
   for (const std::string& hard : plan.hard) text += fmt::format("hard: {}\n", hard);
   for (const Proposal& proposal : plan.proposals)
     text += fmt::format("propose: {}: {}\n", command_of(proposal, options), proposal.what);
