@@ -253,6 +253,9 @@ void OverdampedSystem::step() {
   for (std::size_t b = 0; b < radii_.size(); ++b) {
     const Vec3 slip = state_.velocities[0][b] - scene_.flow.at(state_.positions[0][b]);
     state_.largest_speed = std::max(state_.largest_speed, slip.norm());
+    if (scene_.half_space)
+      state_.smallest_relative_height = std::min(
+          state_.smallest_relative_height, scene_.half_space->height(state_.positions[0][b]) / radii_[b]);
   }
 }
 

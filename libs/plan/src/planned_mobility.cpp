@@ -11,6 +11,7 @@
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/mobility/force_moments.hpp"
 #include "beadswim/overdamped/overdamped_setup.hpp"
+#include "beadswim/plan/expected_errors.hpp"
 #include "beadswim/plan/reason_against.hpp"
 #include "beadswim/plan/run_length.hpp"
 #include "planned_scene.hpp"
@@ -45,7 +46,7 @@ double mesh_bytes(const OverdampedScene& scene) {
 /// of the paper's swarm (docs/performance.md).
 StepCost estimated_cost(const OverdampedScene& scene) {
   // Computing time of one sum, per mesh point and field, and per bead [core-seconds]
-  constexpr double seconds_per_point = 1.25e-7;
+  constexpr double seconds_per_point = 1.1e-7;
   constexpr std::array<double, 3> seconds_per_bead{2e-6, 2e-5, 5e-5};
   const double sum = seconds_per_point * mesh_points(scene) * mesh_fields(scene) +
                      seconds_per_bead[scene.moment_order] * static_cast<double>(bead_radii(scene).size());
@@ -93,16 +94,6 @@ std::string mobility_obstacle(const SceneFacts& facts) {
   for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
     if (const std::string film = film_obstacle(swimmer_facts); !film.empty()) return film;
   return {};
-}
-
-/// Returns the relative error of the mobility of one sphere across a plane no-slip wall, at this height over
-/// its radius: c H^-(4 + 2 n) for moments up to order n, with c as found near the wall
-/// (docs/method/half-space.md); H^-3 for point forces.
-double wall_error(double height, MobilityModel model, const MobilitySettings& settings) {
-  if (!has_finite_radii(model)) return std::pow(height, -3);
-  const int order = has_moment_order(model) ? settings.multipole_order : 0;
-  constexpr std::array coefficients{1.1, 0.7, 0.33};
-  return coefficients[order] * std::pow(height, -4 - 2 * order);
 }
 
 /// Sets the cost of the candidate `run`: core-seconds for products of mobility matrix and forces and for
@@ -173,6 +164,15 @@ double position_roundoff(const SceneFacts& facts) {
   return largest;
 }
 
+// c H^-(4 + 2 n) for moments up to order n, with c as found near the wall (docs/method/half-space.md); H^-3
+// for point forces.
+double error_near_wall(double height, MobilityModel model, const MobilitySettings& settings) {
+  if (!has_finite_radii(model)) return std::pow(height, -3);
+  const int order = has_moment_order(model) ? settings.multipole_order : 0;
+  constexpr std::array coefficients{1.1, 0.7, 0.33};
+  return coefficients[order] * std::pow(height, -4 - 2 * order);
+}
+
 ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model,
                                    const MobilitySettings& settings) {
   if (const std::string film = mobility_obstacle(facts); !film.empty()) throw InputError(film);
@@ -180,7 +180,7 @@ ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model,
     return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model, settings);
   };
   ErrorEstimate error = scene_error(facts, error_of, model != MobilityModel::unsteady);
-  error.velocity += wall_error(facts.height, model, settings) + position_roundoff(facts);
+  error.velocity += error_near_wall(facts.height, model, settings) + position_roundoff(facts);
   return error;
 }
 

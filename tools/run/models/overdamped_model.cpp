@@ -7,6 +7,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
+#include "beadswim/scene/bead_gaps.hpp"
 #include "record/record.hpp"
 
 namespace beadswim {
@@ -26,6 +27,8 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
                        requested.settings.frames_per_cycle, source);
   scene = std::move(setup.scene);
   swimmers = scene.swimmers;
+  if (const auto& half_space = layout.domain.half_space)
+    height_at_rest = smallest_relative_height(placed_beads(layout), *half_space);
   base_period = setup.base_period;
   steps_per_cycle = setup.steps_per_cycle;
   time_step = scene.step;
@@ -193,17 +196,34 @@ void OverdampedModel::describe(RunRecord& record) const {
 }
 
 std::vector<RunWarning> OverdampedModel::warnings() const {
+  std::vector<RunWarning> warnings;
+  if (plan_.height_at_rest) {
+    const auto error_at = [&](double height) {
+      return error_near_wall(height, plan_.scene.model, plan_.options.settings.mobility);
+    };
+    constexpr double notable = 0.01;
+    const double height = system_.state().smallest_relative_height, error = error_at(height);
+    if (error > error_at(*plan_.height_at_rest) + notable)
+      warnings.push_back(
+          {"wall-approach",
+           fmt::format("a bead came as near to the wall as {:.3g} radii, where its mobility has an error of "
+                       "up to {:.2g} %; the expected error, for the height of {:.3g} radii at rest, does not "
+                       "contain it; compare this run with --model multipole --multipole-order 2",
+                       height, 100 * error, *plan_.height_at_rest)});
+  }
   const double gap = system_.state().smallest_gap;
-  if (!std::isfinite(gap)) return {};
+  if (!std::isfinite(gap)) return warnings;
   const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
-  return {{"repulsion",
-           fmt::format(
-               "beads came within a gap of {:.3g} of each other or of a wall and were repelled; {}; "
-               "compare this run with a run by --model lbm",
-               gap,
-               knows_films
-                   ? "this repulsion is artificial and not a physical force"
-                   : "the model of this run neglects lubrication by the fluid film between close surfaces")}};
+  warnings.push_back(
+      {"repulsion",
+       fmt::format(
+           "beads came within a gap of {:.3g} of each other or of a wall and were repelled; {}; "
+           "compare this run with a run by --model lbm",
+           gap,
+           knows_films
+               ? "this repulsion is artificial and not a physical force"
+               : "the model of this run neglects lubrication by the fluid film between close surfaces")});
+  return warnings;
 }
 
 void OverdampedModel::write_history(OutgoingMessage& history) const {

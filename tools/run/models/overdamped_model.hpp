@@ -21,6 +21,8 @@ struct OverdampedPlan : ModelPlan {
   const Communicator& communicator;
   OverdampedScene scene;
   double kinematic_viscosity = 0;
+  std::optional<double>
+      height_at_rest;  ///< smallest height over a wall at rest, relative to the bead's radius
 };
 
 /// The mobility models rpy, rpy+near, multipole and oseen: beads without inertia in a fluid without inertia.

@@ -74,6 +74,9 @@ struct OverdampedState {
       0;  ///< largest speed of any bead in any step, relative to the background flow [length/time]
   /// Smallest gap of any contact in any step [length]; infinity without contacts.
   double smallest_gap = std::numeric_limits<double>::infinity();
+  /// Smallest height of a bead over the wall, relative to the radius of the bead, in any step; infinity
+  /// without half-space.
+  double smallest_relative_height = std::numeric_limits<double>::infinity();
   std::array<Beads, 3> positions;   ///< positions now, one step ago and two steps ago [length]
   std::array<Beads, 3> velocities;  ///< velocities now, one step ago and two steps ago [length/time]
   /// Part of the velocities of the beads that is due to the flow of all other swimmers: now, one step and two
@@ -87,6 +90,7 @@ struct OverdampedState {
     visit("residual", state.work.residual);
     visit("largest_speed", state.largest_speed);
     visit("smallest_gap", state.smallest_gap);
+    visit("smallest_relative_height", state.smallest_relative_height);
   }
   /// Visits the vectors per bead that determine all later steps.
   static void visit_bead_fields(auto&& visit, auto& state) {
