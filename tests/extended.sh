@@ -1,13 +1,12 @@
 #!/bin/bash
-# Runs the slower checks: unit tests and a small scene under the sanitizers, tests labelled slow, the quickstart, the files in
-# readers of other projects, the page of beadswim-view, and the commands in README.md and in the documentation. Each part has a
-# time limit. All parts together take less than an hour.
+# Runs the slower checks: unit tests and a small scene under the sanitizers, tests labelled slow (among them the files in readers of
+# other projects, the page of beadswim-view, the commands of README.md and of the documentation), and the quickstart. Each part has
+# a time limit. All parts together take less than an hour.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
 
 preset=${BEADSWIM_PRESET:-release}
-programs=$root/build/$preset/bin
 
 set -a
 . tests/mpi.env
@@ -38,14 +37,6 @@ scene_with_levels() { # RANKS
     --density 1 --units lattice --box 72,64,64 --boundary periodic --position 50,32,32 >layout.json
   timeout 600 mpirun -n "$1" beadswim-run layout.json -o "ranks$1.h5md" --cells-per-radius 3 --relaxation-time 1 --refine 1 \
     --cycles 0.5 --flow-every 0.25 --checkpoint-every 0.25 --progress none --no-provenance >"ranks$1.json"
-}
-
-# Prints the commands of a page that follow the comment <!-- tested -->, as one script.
-tested_commands() { # PAGE
-  awk '/<!-- tested -->/ { armed = 1; next }
-       armed && /^```sh$/ { inside = 1; armed = 0; next }
-       /^```$/ { inside = 0 }
-       inside' "$1"
 }
 
 .ci/install-packages.sh --with-readers
@@ -79,28 +70,12 @@ cd "$scratch"
 cd "$root"
 build "$preset"
 
-section "Tests labelled slow; the page of beadswim-view is tried below"
-timeout 1200 ctest --preset "$preset" --label-regex slow --exclude-regex '^view\.page$'
+section "Tests labelled slow, among them documents in other readers, the page of beadswim-view in a browser, the commands of pages"
+BEADSWIM_NONE_SKIPPED=1 timeout 2400 ctest --preset "$preset" --label-regex slow
 
 section "The first of the README's two commands; tests/run.sh is the second"
 rm -rf out/quickstart
 timeout 1200 examples/quickstart.sh
 test -s out/quickstart/stroke.png
-
-section "Results and documents in other readers"
-PATH=$programs:$PATH timeout 1200 tests/readers/run.sh --none-skipped
-
-section "The page of beadswim-view in a browser"
-PATH=$programs:$PATH timeout 600 tests/view/run.sh "$root/build/$preset/tools/view/page" --none-skipped
-
-section "The commands of README and of pages; Python is the one whose readers were installed above"
-for page in README.md docs/tutorial.md docs/theory.md docs/shapes.md docs/studies.md docs/optimise.md docs/python.md docs/units.md docs/reading-results.md; do
-  mkdir -p "$scratch/commands/$page"
-  cd "$scratch/commands/$page"
-  tested_commands "$root/$page" >commands.sh
-  [ -s commands.sh ] || { echo "$page holds no block after <!-- tested -->" >&2; exit 1; }
-  cat commands.sh
-  PATH=$programs:/usr/bin:$PATH timeout 900 bash -euo pipefail commands.sh
-done
 
 section "All extended checks passed"

@@ -36,7 +36,9 @@ for part in $parts; do
       for run in 48000" "{6,8,12,16,24,40} 24000" "{12,16,24}; do
         read -r period height <<<"$run"
         beadswim-layout swimmer "${paper[@]}" --period "$period" --half-space z --position "0,0,$height" >"over-$height.json"
-        for model in rpy rpy+near 'multipole --multipole-order 1' 'multipole --multipole-order 2'; do
+        models=('multipole --multipole-order 2')
+        ((period == 24000)) || models=(rpy rpy+near 'multipole --multipole-order 1' "${models[@]}")
+        for model in "${models[@]}"; do
           # shellcheck disable=SC2086 # the model is followed by its flag
           beadswim-run "over-$height.json" --model $model --cycles 2 -o over.h5md "${quiet[@]}" >record.json
           line "${model/ --multipole-order / order }" "$height" record.json

@@ -86,7 +86,9 @@ check 'a uniform flow changes more than the velocity' holds '[., input] | map(.s
 beadswim-layout shape sphere --half-space z --position 0,0,30 --force 2 --direction 0,0,-1 --amplitude 0 >sink.json
 run beadswim-run sink.json -o sink.h5md "${settings[@]}" --cycles 0.6
 has_status 0
-check 'no warning of the approach' holds '.warnings | any(.code == "wall-approach" and (.message | test("up to [0-9]+ %; the expected error, for the height of 7.5 radii")))' out
+check 'no warning of the approach' holds '.warnings | any(.code == "wall-approach" and (.message | test("up to [0-9.]+ %; the expected error, for the height of 7.5 radii.*--multipole-order 2")))' out
+run beadswim-run sink.json -o sink.h5md --model multipole --multipole-order 2 --cycles 0.6 --progress none
+check 'the remedy is the run itself' holds '.warnings | any(.code == "wall-approach" and (.message | test("compare this run with --model lbm")))' out
 check 'a warning although no bead approaches' holds '.warnings | all(.code != "wall-approach")' over-run.json
 
 # --- pages and figures show the wall; the page of docs has the table of its records

@@ -139,6 +139,12 @@ accepts beadswim-plot separation boxed.jsonl --method multipole-ode
 notes_have "Predictions: T = 4800, in the layout's box"
 accepts beadswim-plot separation boxed.jsonl --method oseen-force-closed
 notes_have 'Predictions: T = 4800, unbounded fluid'
+in_fluid "half-space, with background flow" multipole-ode >flowing.jsonl
+accepts beadswim-plot separation flowing.jsonl --method multipole-ode,oseen-force-closed
+notes_have 'Predictions: T = 4800, unbounded fluid; multipole-ode in fluid over a wall, with background flow'
+{ head -n 1 flowing.jsonl; tail -n +2 by_separation.jsonl; } >mixed.jsonl
+accepts beadswim-plot separation mixed.jsonl --method multipole-ode
+notes_have 'Predictions: T = 4800, unbounded fluid; fluid over a wall, with background flow'
 accepts beadswim-plot separation by_separation.jsonl run.json --method multipole-ode
 drawn 8 circle     # one run, at 20/4; five open points, and their legends
 same_bytes 'beadswim-plot separation by_separation.jsonl' 'beadswim-plot separation - <by_separation.jsonl'

@@ -1,23 +1,22 @@
 #!/bin/bash
 # Tests pages of beadswim-view in headless Chromium.
-#   tests/view/run.sh MODULES [--none-skipped]
+#   tests/view/run.sh MODULES
 # The programs must be on PATH. MODULES is the folder with node_modules that the build has made from tools/view/page. If the
-# browser or Node.js is missing, the exit status is 77 and the last line states the reason. With --none-skipped this is a failure,
-# except for a Node.js that is too old for the driver of the browser.
+# browser or Node.js is missing, the exit status is 77 and the last line states the reason. If BEADSWIM_NONE_SKIPPED is set, this is a
+# failure, except for a Node.js that is too old for the driver of the browser.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 modules=$1
 
 absent() {
   echo "skipped: $1"
-  [ "${none_skipped:-}" ] && exit 1
+  [ "${BEADSWIM_NONE_SKIPPED:-}" ] && exit 1
   exit 77
 }
-[ "${2:-}" = --none-skipped ] && none_skipped=1
 command -v node >/dev/null || absent "no Node.js; install nodejs and npm"
 if [ "$(node -p 'process.versions.node.split(".")[0]')" -lt 20 ]; then
   echo "skipped: playwright-core needs Node.js 20, which is not among Debian 12's packages; this is $(node --version)"
-  [ "${none_skipped:-}" ] && exit 0
+  [ "${BEADSWIM_NONE_SKIPPED:-}" ] && exit 0
   exit 77
 fi
 [ -d "$modules/node_modules/playwright-core" ] || absent "the page was not built: $modules has no node_modules"

@@ -134,7 +134,8 @@ double BenchScenes::bytes(int edge, const std::vector<Precision>& precisions) {
 Bandwidth::Bandwidth()
     : source_(static_cast<double*>(allocate_zeros_on_huge_pages(num_elements * sizeof(double)))),
       destination_(static_cast<double*>(allocate_zeros_on_huge_pages(num_elements * sizeof(double)))) {
-  for (long k = 0; k < num_elements; ++k) source_[k] = 1 + k % 997;  // not zero, as the yardstick
+  for (long k = 0; k < num_elements; ++k)
+    source_[k] = 1 + k % 997;  // numbers that are not zero, as in the yardstick
 }
 
 void Bandwidth::copy() {

@@ -7,7 +7,6 @@
 #include <array>
 #include <filesystem>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -37,28 +36,37 @@ std::string parameter_text(const std::vector<PlottedPrediction>& predictions, co
   return fmt::format("{} = {}{}", parameter.symbol, range_text(values, 4), parameter.unit);
 }
 
-/// Returns where a prediction's fluid is in words; `fluid`: its setting of this name.
-std::string place_of_fluid(const std::string& fluid) {
+/// Returns the fluid of predictions as text. `fluid`: their setting "fluid".
+std::string name_of_fluid(const std::string& fluid) {
   constexpr std::string_view half_space = "half-space", unbounded = "unbounded";
   if (fluid.starts_with(half_space)) return "fluid over a wall" + fluid.substr(half_space.size());
   if (fluid.starts_with(unbounded)) return "unbounded fluid" + fluid.substr(unbounded.size());
-  return "in the layout's box";
+  return "the layout's box";
 }
 
-/// Returns the fluid for which predictions were made, for example "unbounded fluid; inertia-corrected in the
-/// layout's box".
+/// Returns the fluids for which predictions were made, for example "unbounded fluid; inertia-corrected in the
+/// layout's box". The fluid of most methods comes first, without their names.
 std::string fluid_text(const std::vector<PlottedPrediction>& predictions) {
-  std::map<std::string, std::set<std::string>> methods;  // by place
+  std::map<std::string, std::set<std::string>> methods;  // by fluid
+  std::set<std::string> names;
+  std::size_t pairs = 0;
   for (const PlottedPrediction& plotted : predictions) {
     const auto fluid = text_setting(plotted.prediction, "fluid");
     if (!fluid) return {};
-    methods[place_of_fluid(*fluid)].insert(plotted.prediction.method);
+    pairs += methods[name_of_fluid(*fluid)].insert(plotted.prediction.method).second ? 1 : 0;
+    names.insert(plotted.prediction.method);
   }
   if (methods.empty()) return {};
-  const auto usual = std::prev(methods.end());  // open fluid, unless all predictions are for the box
-  std::string text = usual->first;
-  for (auto other = methods.begin(); other != usual; ++other)
-    text += fmt::format("; {} {}", summarise_names(other->second, "methods"), other->first);
+  const bool has_method_one_fluid = pairs == names.size();
+  const auto usual = std::ranges::max_element(
+      methods, {}, [](const auto& of_fluid) { return std::pair(of_fluid.second.size(), of_fluid.first); });
+  std::string text = usual->first == "the layout's box" ? "in the layout's box" : usual->first;
+  for (auto other = methods.begin(); other != methods.end(); ++other) {
+    if (other == usual) continue;
+    text += has_method_one_fluid
+                ? fmt::format("; {} in {}", summarise_names(other->second, "methods"), other->first)
+                : "; " + other->first;
+  }
   return text;
 }
 

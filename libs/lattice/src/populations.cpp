@@ -20,30 +20,38 @@ std::ptrdiff_t pitch_of_rows(std::ptrdiff_t cells, std::ptrdiff_t per_line) {
 
 }  // namespace
 
-Populations::Populations(const Index3& size, Precision precision, HaloContent halo)
-    : precision_(precision), size_(size) {
+Populations::Pitches Populations::pitches_of(const Index3& size, Precision precision, HaloContent halo) {
   const auto per_line = static_cast<std::ptrdiff_t>(line / bytes_per_population(precision));
   // With HaloContent::behind, populations of cells up to one cell outside the halo are stored too. One extra
   // cell per row and one extra row per plane separate the cells beyond one face from the cells beyond the
   // opposite face.
   const int behind = halo == HaloContent::behind ? 1 : 0;
-  pitch_y_ = pitch_of_rows(size[0] + 2 + behind, per_line);
-  pitch_z_ = pitch_y_ * (size[1] + 2 + behind);
+  Pitches pitches;
+  pitches.y = pitch_of_rows(size[0] + 2 + behind, per_line);
+  pitches.z = pitches.y * (size[1] + 2 + behind);
   // Entering populations are stored up to one cell and one row outside the halo.
-  first_ = round_up_to_multiple(behind * pitch_z_ + pitch_y_ + 2, per_line);
-  const std::ptrdiff_t cells = pitch_z_ * (size[2] + 2) + 2 * first_;  // including cells outside the halo
+  pitches.first = round_up_to_multiple(behind * pitches.z + pitches.y + 2, per_line);
+  const std::ptrdiff_t cells = pitches.z * (size[2] + 2) + 2 * pitches.first;  // with cells outside the halo
   // A sweep advances through the 19 arrays in parallel. If the distance of two arrays were a multiple of a
   // page (4 KiB), they would compete for the same cache sets. Each array is therefore shifted by `stagger`
   // further cache lines.
   constexpr std::ptrdiff_t lines_a_page = 4096 / line, stagger = 5;
-  const std::ptrdiff_t pitch_i = round_up_to_multiple(cells, lines_a_page * per_line) + stagger * per_line;
+  pitches.direction = round_up_to_multiple(cells, lines_a_page * per_line) + stagger * per_line;
+  return pitches;
+}
+
+Populations::Populations(const Index3& size, Precision precision, HaloContent halo)
+    : precision_(precision), size_(size), bytes_(bytes_of(size, precision, halo)) {
+  const Pitches pitches = pitches_of(size, precision, halo);
+  first_ = pitches.first;
+  pitch_y_ = pitches.y;
+  pitch_z_ = pitches.z;
   for (int i = 0; i < d3q19::directions; ++i) {
     const auto& c = d3q19::velocity[i];
     shift_[i] = c[0] + pitch_y_ * c[1] + pitch_z_ * c[2];
-    place_[0][i] = d3q19::opposite(i) * pitch_i;
-    place_[1][i] = i * pitch_i + shift_[i];
+    place_[0][i] = d3q19::opposite(i) * pitches.direction;
+    place_[1][i] = i * pitches.direction + shift_[i];
   }
-  bytes_ = d3q19::directions * pitch_i * bytes_per_population(precision);
   data_.reset(allocate_zeros_on_huge_pages(bytes_));
 }
 

@@ -7,6 +7,8 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
+#include "beadswim/mobility/force_moments.hpp"
+#include "beadswim/plan/percent.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "record/record.hpp"
 
@@ -197,19 +199,21 @@ void OverdampedModel::describe(RunRecord& record) const {
 
 std::vector<RunWarning> OverdampedModel::warnings() const {
   std::vector<RunWarning> warnings;
-  if (plan_.height_at_rest) {
-    const auto error_at = [&](double height) {
-      return error_near_wall(height, plan_.scene.model, plan_.options.settings.mobility);
-    };
+  if (plan_.height_at_rest && !system_.fault()) {
+    const MobilitySettings& settings = plan_.options.settings.mobility;
+    const auto error_at = [&](double height) { return error_near_wall(height, plan_.scene.model, settings); };
     constexpr double notable = 0.01;
     const double height = system_.state().smallest_relative_height, error = error_at(height);
+    const bool is_best = has_moment_order(plan_.scene.model) && settings.multipole_order == max_moment_order;
     if (error > error_at(*plan_.height_at_rest) + notable)
       warnings.push_back(
           {"wall-approach",
-           fmt::format("a bead came as near to the wall as {:.3g} radii, where its mobility has an error of "
-                       "up to {:.2g} %; the expected error, for the height of {:.3g} radii at rest, does not "
-                       "contain it; compare this run with --model multipole --multipole-order 2",
-                       height, 100 * error, *plan_.height_at_rest)});
+           fmt::format("the height of a bead over the wall fell to {:.3g} radii, where its mobility has an "
+                       "error of up to {}; the expected error, for the height of {:.3g} radii at rest, does "
+                       "not contain it; compare this run with {}",
+                       height, in_percent(error), *plan_.height_at_rest,
+                       is_best ? "--model lbm in a box with the boundary no-slip across the wall"
+                               : "--model multipole --multipole-order 2")});
   }
   const double gap = system_.state().smallest_gap;
   if (!std::isfinite(gap)) return warnings;

@@ -21,8 +21,8 @@ struct OverdampedPlan : ModelPlan {
   const Communicator& communicator;
   OverdampedScene scene;
   double kinematic_viscosity = 0;
-  std::optional<double>
-      height_at_rest;  ///< smallest height over a wall at rest, relative to the bead's radius
+  /// Smallest height of a bead over the wall at rest, relative to its radius; nullopt without half-space.
+  std::optional<double> height_at_rest;
 };
 
 /// The mobility models rpy, rpy+near, multipole and oseen: beads without inertia in a fluid without inertia.

@@ -57,17 +57,17 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
 std::vector<std::string> refusals(const RunPlan& plan, const RunOptions& options) {
   std::vector<const PlannedRun*> firsts;  // the first run of each reason
   std::map<std::string, int> runs;        // by reason, with # in place of numbers
-  const auto kind = [](const PlannedRun& run) {
-    return std::regex_replace(run.refused, std::regex("[0-9][0-9.e+-]*"), "#");
-  };
+  const std::regex number("[0-9][0-9.e+-]*");
+  const auto kind = [&](const PlannedRun& run) { return std::regex_replace(run.refused, number, "#"); };
   for (const PlannedRun& run : plan.runs)
     if (!run.refused.empty() && ++runs[kind(run)] == 1) firsts.push_back(&run);
   std::vector<std::string> texts;
   for (const PlannedRun* run : firsts) {
     const int others = runs[kind(*run)] - 1;
-    texts.push_back(fmt::format("{}{}: {}", flags_of(*run, options),
-                                others > 0 ? fmt::format(", and {} similar runs", others) : "",
-                                run->refused));
+    texts.push_back(
+        fmt::format("{}{}: {}", flags_of(*run, options),
+                    others > 0 ? fmt::format(", and {} similar run{}", others, others > 1 ? "s" : "") : "",
+                    run->refused));
   }
   return texts;
 }

@@ -10,7 +10,7 @@
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/bead_links.hpp"
 #include "beadswim/coupling/refinement.hpp"
-#include "beadswim/lattice/d3q19.hpp"
+#include "beadswim/lattice/populations.hpp"
 
 namespace beadswim {
 
@@ -28,14 +28,15 @@ double bead_surface(const CoupledScene& scene) {
 }
 
 double lattice_bytes(const CoupledScene& scene) {
-  constexpr double padding = 1.1;  // memory of block, halo and alignment, divided by the memory of the block
-  const double number = static_cast<double>(bytes_per_population(scene.precision));
-  const double cells = padding * (d3q19::directions * number + 1) * cells_on_levels(scene.all_levels());
+  double bytes = cells_on_levels(scene.all_levels());  // one byte per cell: coverage by beads
+  for (const Block& level : scene.all_levels())
+    bytes += static_cast<double>(
+        Populations::bytes_of(level.size, scene.precision, halo_content(scene.bead_boundary)));
   // Links per unit of surface area [1/cell^2]: sum of |c_i.n| over one direction of each opposite pair,
   // averaged over the surface normals n.
   constexpr double links_of_area = 5.74;
   constexpr double lists = 1.2;  // memory of links, rows and segments, divided by the memory of links
-  return cells + lists * sizeof(BeadLink) * links_of_area * bead_surface(scene);
+  return bytes + lists * sizeof(BeadLink) * links_of_area * bead_surface(scene);
 }
 
 void require_memory(const CoupledScene& scene, const Communicator& communicator) {

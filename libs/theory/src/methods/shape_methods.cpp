@@ -24,11 +24,11 @@ std::string fluid_name(const ShapedSwimmer& swimmer) {
                      swimmer.flow.is_zero() ? "" : ", with background flow");
 }
 
-std::string fluid_text(const ShapedSwimmer& swimmer) {
-  std::string text = "unbounded fluid";
+/// Returns the surroundings of the swimmer for the validity of a prediction.
+std::string surroundings_of(const ShapedSwimmer& swimmer) {
+  std::string text = fluid_name(swimmer);
   if (const auto& half_space = swimmer.half_space)
-    text = fmt::format("fluid over a no-slip wall, at the height {:.6g}", half_space->height(swimmer.place));
-  if (!swimmer.flow.is_zero()) text += " with background flow";
+    text += fmt::format(", at the height {:.6g} over the no-slip wall", half_space->height(swimmer.place));
   if (swimmer.is_held()) text += ", moved back to its place and orientation after each cycle";
   return text;
 }
@@ -53,9 +53,9 @@ Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, co
   const double depth = std::sqrt(2 * swimmer.viscosity / (question.fluid_density * omega));
   const double radius = std::ranges::max(swimmer.type.beads, {}, &Bead::radius).radius;
   prediction.validity = fmt::format(
-      "{} pairs; {}; alone in {}; no inertia of fluid or beads (penetration depth {:.2f} radii); "
+      "{} pairs; {}; alone; fluid: {}; no inertia of fluid or beads (penetration depth {:.2f} radii); "
       "the error for this shape is not known",
-      pairs.name, amplitude, fluid_text(swimmer), depth / radius);
+      pairs.name, amplitude, surroundings_of(swimmer), depth / radius);
   prediction.settings = {{"mobility", pairs.name},
                          {"fluid", fluid_name(swimmer)},
                          {"period", swimmer.type.driving.period},

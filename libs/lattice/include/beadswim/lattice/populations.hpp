@@ -122,8 +122,18 @@ class Populations {
 
   /// Returns the memory that the populations occupy [byte].
   std::size_t bytes() const { return bytes_; }
+  /// Returns the memory that the populations of a block of this size occupy [byte].
+  static std::size_t bytes_of(const Index3& size, Precision precision, HaloContent halo) {
+    return d3q19::directions * pitches_of(size, precision, halo).direction * bytes_per_population(precision);
+  }
 
  private:
+  /// Distances of rows, planes and arrays, and the index of the cell (0, -1, -1).
+  struct Pitches {
+    std::ptrdiff_t y, z, direction, first;
+  };
+  static Pitches pitches_of(const Index3& size, Precision precision, HaloContent halo);
+
   struct Free {
     void operator()(void* p) const { std::free(p); }
   };

@@ -70,8 +70,8 @@ struct OverdampedFault {
 struct OverdampedState {
   long steps_done = 0;
   ProductWork work;  ///< of all mobility products so far
-  double largest_speed =
-      0;  ///< largest speed of any bead in any step, relative to the background flow [length/time]
+  /// Largest speed of any bead in any step, relative to the background flow [length/time].
+  double largest_speed = 0;
   /// Smallest gap of any contact in any step [length]; infinity without contacts.
   double smallest_gap = std::numeric_limits<double>::infinity();
   /// Smallest height of a bead over the wall, relative to the radius of the bead, in any step; infinity

@@ -90,7 +90,7 @@ struct MomentumRecord {
 
 /// Dimensionless numbers of the run. nu: kinematic viscosity; omega: angular frequency of the base period.
 struct DimensionlessNumbers {
-  double reynolds_bead = 0;  ///< largest bead speed in the run, relative to flow, x diameter / nu
+  double reynolds_bead = 0;  ///< largest bead speed relative to background flow x diameter / nu
   double penetration_depth_over_radius = 0;  ///< sqrt(2 nu/omega) / smallest bead radius
   std::optional<double> mach;                ///< largest bead speed in the run / lattice speed of sound
 
