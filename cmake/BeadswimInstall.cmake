@@ -12,7 +12,7 @@ foreach(program ${programs})
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME beadswim-${program})
 endforeach()
 
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs PATTERN results EXCLUDE PATTERN generate.py EXCLUDE)
 install(FILES docs/results/steps-and-errors.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs/results)
 install(DIRECTORY schemas packaging DESTINATION ${CMAKE_INSTALL_DOCDIR})  # the installed pages link to these folders
