@@ -140,6 +140,8 @@ if is_wanted many; then
     for time in 1 2; do times many 3 1 2 $time --precision single; done
     for scheme in staircase cli psm; do times many 3 1 3 1.5 --precision single --bead-boundary $scheme; done
     for time in 0.8 1 1.5; do times many 3 1 3 $time --precision single; done
+    for cells in 2 3; do times many 3 1 $cells 1 --precision double; done
+    times many 3 1 3 1 --precision single --refine 1
   } >many.jsonl
   jq -c 'select(.resolution.relaxation_time | . and . > 0.7 and . < 0.9)' many.jsonl | extrapolate many 3 4
 fi

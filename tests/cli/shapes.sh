@@ -99,6 +99,7 @@ for shape in dumbbell bead; do
     cp out $shape.rec
     run beadswim-compare $shape.rec $shape.rec
     has_status 0
+    refuses 'swimmer 0 has none of the compared quantities' beadswim-compare $shape.rec $shape.rec --quantity sin_phase_shift
   done
 done
 accepts beadswim-plot swarm dumbbell.h5md

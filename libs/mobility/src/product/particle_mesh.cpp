@@ -103,7 +103,10 @@ ParticleMesh::ParticleMesh(const EwaldPlan& plan, const Vec3& lengths, Beads bea
                      .memory = {}}) {
   const std::vector<double>& squares = mesh_->beads.squared_radii;
   const auto [smallest, largest] = std::ranges::minmax_element(squares);
-  const bool is_shared = mesh_->beads.moment_order == 0 && !squares.empty() && *smallest == *largest;
+  // At mirror points the velocities of one field would contain the size of the bead there, which the wall's
+  // reflection takes into account itself (wall_reflection.hpp).
+  const bool is_shared = mesh_->beads.moment_order == 0 && !squares.empty() && *smallest == *largest &&
+                         !(plan.has_mirror_points && *largest > 0);
   if (is_shared) mesh_->shared_size = 2 * *largest;
   if (!squares.empty() && !is_shared) mesh_->fields = 2;
   if (mesh_->beads.memory) {
