@@ -1,5 +1,8 @@
 #include "command_line/request.hpp"
 
+#include <filesystem>
+#include <system_error>
+
 #include "beadswim/core/error.hpp"
 #include "beadswim/tools/program.hpp"
 #include "checkpoints.hpp"
@@ -12,10 +15,17 @@ std::string scene_text(const LayoutDocument& document) {
   return dump_json(layout_to_json({.layout = document.layout}));
 }
 
+/// Returns the absolute path, which different names of a file share.
+std::filesystem::path place_of(const std::string& path) {
+  std::error_code fault;
+  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(path, fault), fault);
+  return fault ? std::filesystem::path(path) : place;
+}
+
 }  // namespace
 
 bool Request::continues_same_trajectory() const {
-  return checkpoint && trajectory_of(checkpoint->path()) == options.output;
+  return checkpoint && place_of(trajectory_of(checkpoint->path())) == place_of(options.output);
 }
 
 std::variant<Request, int> read_request(int argc, char** argv, const Communicator& communicator) {
