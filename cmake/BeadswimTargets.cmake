@@ -28,6 +28,8 @@ set(BEADSWIM_FALSE_WARNINGS_OFF -Wno-stringop-overflow -Wno-array-bounds)
 
 # Templates and virtual classes of these headers compile faster at -O1. The speed of this code does not matter.
 set(BEADSWIM_COLD_CODE $<$<NOT:$<CONFIG:Debug>>:-O1>)
+# For tests with loops over cells, also in builds whose other code is compiled at -O1.
+set(BEADSWIM_HOT_CODE $<$<NOT:$<CONFIG:Debug>>:-O2>)
 
 # beadswim_share_headers(TARGET numerics|tests|together): lets a target use the precompiled header of a family. `together`
 # compiles the files of the target together instead; `tests` does both.
@@ -192,7 +194,7 @@ function(beadswim_mpi_test name)
   beadswim_keep_libraries(${name})
   if(arg_OPTIMISED)
     beadswim_share_headers(${name} numerics)
-    target_compile_options(${name} PRIVATE -O2 ${BEADSWIM_FALSE_WARNINGS_OFF})
+    target_compile_options(${name} PRIVATE ${BEADSWIM_HOT_CODE} ${BEADSWIM_FALSE_WARNINGS_OFF})
   else()
     beadswim_share_headers(${name} tests)
   endif()

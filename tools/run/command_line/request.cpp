@@ -16,16 +16,16 @@ std::string scene_text(const LayoutDocument& document) {
 }
 
 /// Returns the absolute path, which different names of a file share.
-std::filesystem::path place_of(const std::string& path) {
+std::filesystem::path absolute_path(const std::string& path) {
   std::error_code fault;
-  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(path, fault), fault);
-  return fault ? std::filesystem::path(path) : place;
+  const auto absolute = std::filesystem::weakly_canonical(std::filesystem::absolute(path, fault), fault);
+  return fault ? std::filesystem::path(path) : absolute;
 }
 
 }  // namespace
 
 bool Request::continues_same_trajectory() const {
-  return checkpoint && place_of(trajectory_of(checkpoint->path())) == place_of(options.output);
+  return checkpoint && absolute_path(trajectory_of(checkpoint->path())) == absolute_path(options.output);
 }
 
 std::variant<Request, int> read_request(int argc, char** argv, const Communicator& communicator) {
