@@ -145,11 +145,10 @@ void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const Compar
   std::erase_if(request.quantities,
                 [&](ComparedQuantity quantity) { return !in_runs.front().swimming.contains(quantity); });
   if (request.quantities.empty())
-    throw InputError(
-        in_runs.front().source,
-        fmt::format("swimmer {} has none of the compared quantities, for example because it has no arms; "
-                    "select another one with --quantity",
-                    id));
+    throw InputError(in_runs.front().source, fmt::format("swimmer {} has none of the compared quantities "
+                                                         "(arm amplitudes need one arm, a phase shift two); "
+                                                         "select another one with --quantity",
+                                                         id));
   const std::size_t deciding = deciding_reference(request, references);
   result.decided_by = references.all[deciding].method;
   for (const RunSwimmer& in_run : in_runs) {
