@@ -269,9 +269,9 @@ accepts beadswim-plot speed-against-error several.jsonl --reference uncertain.js
 out_has '>uncertainty of the reference<'
 refuses 'prediction.json: the file contains several runs or predictions' \
   beadswim-plot speed-against-error run.json --reference prediction.json --method all
-refuses 'prediction_shorter_period.json: the prediction is for a period of 2000, but the run run.json has the period 4800' \
+refuses 'prediction_shorter_period.json: the scene differs from the scene of run.json: period 2000 instead of 4800' \
   beadswim-plot speed-against-error run.json --reference prediction_shorter_period.json
-refuses 'run_shorter_period.json: the scene .* differs from the scene of run.json' \
+refuses 'the scene differs from the scene of .*: period 4800 instead of 2000' \
   beadswim-plot speed-against-error run.json run_shorter_period.json --reference prediction.json
 refuses 'run.json: the run has an error of 0 in the velocity.*leave this file out if it is the reference itself' \
   beadswim-plot speed-against-error run.json --reference run.json
@@ -292,13 +292,32 @@ check "a scene has the errors relative to its own reference" test "$(errors_of 1
 check "these are the errors of two resolutions" test "$(errors_of 128 | wc -l)" -eq 2
 jq '.domain.lengths[0] += 16' run.json >longest.json
 jq -c '.domain.lengths[0] += 16' several.jsonl >longest_runs.jsonl
-refuses 'longer_runs.jsonl line 1: the scene .* of this run is that of no reference; add its reference' \
+refuses 'longer_runs.jsonl line 1: the scene of this run is that of no reference; add its reference' \
   beadswim-plot speed-against-error several.jsonl longer_runs.jsonl longest_runs.jsonl --reference run.json,longest.json
 refuses 'several.jsonl line 1: two references have the scene' beadswim-plot speed-against-error several.jsonl --reference run.json,run.json
-refuses 'longer.json: no run has the scene .* of this reference' \
+refuses 'longer.json: no run has the scene of this reference' \
   beadswim-plot speed-against-error several.jsonl --reference run.json,longer.json
 refuses 'uncertain.json: with several references, each must be a run record' \
   beadswim-plot speed-against-error several.jsonl --reference run.json,uncertain.json
+# Records that contain their scene: all of it is compared, but the position of a single swimmer.
+head -2 "$BEADSWIM_SOURCE/docs/results/speed-against-error/swimmer.jsonl" >staged.jsonl
+head -1 staged.jsonl | jq -c '.swimmers[].cycles[].velocity[0] *= 1.1' >stage.json
+edited_stage() { jq -c "$1" stage.json >edited.json; }
+edited_stage '.scene.swimmers[0].position[0] += 0.5'
+accepts beadswim-plot speed-against-error staged.jsonl --reference edited.json --quantity velocity
+edited_stage '.scene.types[].beads[].radius = 5'
+refuses 'edited.json: the scene differs from the scene of staged.jsonl line 1: radius 5 instead of 4' \
+  beadswim-plot speed-against-error staged.jsonl --reference edited.json
+edited_stage '.scene.domain.lengths[1] += 1'
+refuses 'edited.json: the scene differs from the scene of staged.jsonl line 1: domain 60 x 41 x 40' \
+  beadswim-plot speed-against-error staged.jsonl --reference edited.json
+edited_stage 'del(.scene) | .swimmers[].cycles[] |= (.arm_amplitudes += [1] | .arm_phases += [1] | .arm_means += [20])'
+refuses 'staged.jsonl line 1: swimmer 0 has 2 arms, but 3 in the reference' beadswim-plot speed-against-error staged.jsonl --reference edited.json
+# The cost is per base period that the run has completed, also of a part of a cycle.
+csv_cost() { jq -c ".cost.cycles = $1 | .cost.core_seconds = 12" stage.json >costed.json
+  run beadswim-plot speed-against-error costed.json --reference staged.json --quantity velocity -o x.svg --data - && awk -F, 'END { print $(NF - 2) }' out; }
+head -1 staged.jsonl >staged.json
+check 'costs per cycle' test "$(csv_cost 1.5) $(csv_cost 3)" = '8 4'
 refuses '--quantity: is for run records' beadswim-plot speed-against-error cheap.verdict.json --quantity velocity
 
 jq 'del(.cost)' run.json >free.json

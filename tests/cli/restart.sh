@@ -37,6 +37,13 @@ for ranks in 1 3; do
   done
 done
 check "the trajectory that a checkpoint belongs to stays until the run ends" cmp -s first.h5md kept.h5md
+refuses '^beadswim-run: --tolerance: .* a restart continues with its model and settings; leave the flag out' \
+  beadswim-run --restart kept.h5md --cycles 3 --tolerance 0.1
+run beadswim-run layout.json --plan --tolerance 5
+check "a smaller box is proposed" holds '.proposals | length == 1' out
+run beadswim-run --restart kept.h5md --plan --tolerance 5
+has_status 0
+check "a restart cannot change its scene" holds '(.runs | length > 0) and .proposals == []' out
 run small 2 --restart kept.h5md --cycles 3
 has_status 0
 cp out gone.json

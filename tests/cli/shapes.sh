@@ -293,6 +293,12 @@ run beadswim-run triangle.json --plan --tolerance 0.9
 has_status 0
 err_has 'hard: error estimates have not been validated for the type "triangle": they are twice those of three beads on a line'
 check "the plan has runs with a known error" holds '[.runs[] | select(has("error"))] | length > 0' out
+for shape in chain flagellum purcell-chain; do
+  beadswim-layout shape $shape --unbounded >close.json
+  run beadswim-run close.json --plan --model rpy+near --tolerance 0.2
+  has_status 0
+  check "a plan of the $shape" holds '.choice == "--model rpy+near" and .runs[0].error.velocity < 0.2' out
+done
 run beadswim-run triangle.json -o auto.h5md --model auto --tolerance 0.9 --cycles 1 --progress none
 has_status 0
 err_has 'warning: the error of this run is not known: error estimates have been validated for the paper.s three-bead swimmers only'

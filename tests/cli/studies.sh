@@ -35,6 +35,13 @@ beadswim-layout swarm --preset paper-uniform | beadswim-layout defect phase --ra
 accepts beadswim-layout vary swarm.json --over amplitude=1
 check 'own phases stay' holds -s '.[0].types.a.driving.amplitude == [1, 1] and ([.[0].swimmers[].driving.phase_offset] | unique | length == 9)
   and all(.[0].swimmers[]; .driving | has("amplitude") | not)' out
+beadswim-layout defect frequency --sigma 0.1 --seed 1 <swarm.json >frequencies.json
+refuses '"period" changes nothing: each swimmer of frequencies.json has its own period' beadswim-layout vary frequencies.json --over period=1000,2000
+accepts beadswim-layout vary frequencies.json --over amplitude=1,2
+jq 'del(.swimmers[4].driving.period)' frequencies.json >followed.json
+accepts beadswim-layout vary followed.json --over period=1000
+check 'a swimmer without its own period follows' holds -s '.[0].types.a.driving.period == 1000' out
+accepts beadswim-layout vary frequencies.json --over /swimmers/3/driving/period=1000,2000
 
 refuses 'unknown value "perod"; did you mean "period"' beadswim-layout vary base.json --over perod=1,2
 refuses '"period=a:2:3": "a" is not a finite number' beadswim-layout vary base.json --over period=a:2:3
@@ -125,6 +132,17 @@ has_status 0
 run beadswim-compare six-1.h5md six-1.json --tolerance 1e-9
 has_status 0
 err_has '^velocity .* run +\+0.00 %'
+# A trajectory has the last cycle of each swimmer at the end of each base cycle, with the numbers of the record.
+for period in 1000 4000; do
+  beadswim-layout swarm --preset paper-uniform --block-swimmers 1,1,2 | jq ".swimmers[1].driving.period = $period" >own-$period.json
+  beadswim-run own-$period.json --model rpy --cycles 6 -o own-$period.h5md --progress none >own-$period-run.json 2>err
+done
+run beadswim-compare own-1000-run.json own-1000.h5md --cycle 4 --tolerance 1e-9
+has_status 0
+refuses 'own-1000.h5md: the run does not contain cycle 3, only some of the cycles 2 to 12' beadswim-compare own-1000-run.json own-1000.h5md --cycle 3
+refuses 'does not contain the last 3 cycles, only some of the cycles 2 to 12' beadswim-compare own-1000-run.json own-1000.h5md --cycle mean:3
+run beadswim-compare own-4000-run.json own-4000.h5md --cycle mean:3 --tolerance 1e-9
+has_status 0
 
 # Records of more than 64 swimmers do not list them; the trajectory beside the record does.
 beadswim-layout swarm --preset paper-uniform --blocks 2,3,4 --block-swimmers 1,2,2 >many.json

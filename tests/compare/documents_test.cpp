@@ -52,6 +52,7 @@ RunRecord full_record() {
                                {.cell = 0.5, .boxes = {{corner, 2 * corner}}, .cells = 4096}};
   record.cost = RunCost{.wall_seconds = 10.5,
                         .core_seconds = 21,
+                        .cycles = 2.5,
                         .ranks = 2,
                         .cell_updates = 768000000000,
                         .mlups = 80,
@@ -206,8 +207,12 @@ TEST(VerdictDocument, AnInfiniteErrorIsNull) {
 }
 
 TEST(VerdictDocument, CostIsTheSumOrUnknown) {
-  const RunCost cost{
-      .wall_seconds = 1, .core_seconds = 2, .cell_updates = 3, .mlups = {}, .communication = {}};
+  const RunCost cost{.wall_seconds = 1,
+                     .core_seconds = 2,
+                     .cycles = {},
+                     .cell_updates = 3,
+                     .mlups = {},
+                     .communication = {}};
   const auto total = total_cost(std::vector<std::optional<RunCost>>{cost, cost});
   ASSERT_TRUE(total);
   EXPECT_EQ(total->core_seconds, 4);

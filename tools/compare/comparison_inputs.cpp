@@ -34,10 +34,10 @@ std::vector<SceneDifference> require_same_scene(const RunFile& run, const Refere
   }
   const std::vector<SceneDifference> differences = scene_differences(run.record, reference.document);
   std::vector<std::string> names, refused;
-  for (const auto& [property, own, other] : differences) {
-    names.push_back(to_text(property));
-    if (std::ranges::find(allowed, property) == allowed.end())
-      refused.push_back(fmt::format("{} {} instead of {}", names.back(), other, own));
+  for (const SceneDifference& difference : differences) {
+    names.push_back(to_text(difference.property));
+    if (std::ranges::find(allowed, difference.property) == allowed.end())
+      refused.push_back(in_words(difference));
   }
   if (refused.empty()) return differences;
   throw InputError(reference.source,

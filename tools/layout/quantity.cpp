@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -60,6 +61,29 @@ Json& value_at(Json& layout, const std::string& pointer, const std::string& sour
                                        "word in it",
                                        pointer));
   return *place;
+}
+
+/// Returns true if the driving of a swimmer in a layout document has the quantity, instead of its type.
+bool has_own(const Json& swimmer, const std::string& name) {
+  if (!swimmer.contains("driving")) return false;
+  const Json& driving = swimmer["driving"];
+  const bool is_of_harmonics = name == "amplitude" || name == "phase";
+  return driving.contains(name) ||
+         (is_of_harmonics && std::ranges::any_of(std::array{"forces", "bonds", "angles"},
+                                                 [&](const char* key) { return driving.contains(key); }));
+}
+
+/// Throws InputError if all swimmers have their own value of the quantity, so that a value of their types
+/// changes nothing.
+void require_effect(const Json& layout, const std::string& name, const std::string& source,
+                    const std::string& flag) {
+  const Json& swimmers = layout["swimmers"];
+  if (!std::ranges::all_of(swimmers, [&](const Json& swimmer) { return has_own(swimmer, name); })) return;
+  throw InputError(flag,
+                   fmt::format("\"{0}\" changes nothing: each swimmer of {1} has its own {0}, which stays; "
+                               "remove it from the swimmers, or name one by a JSON pointer, such as "
+                               "/swimmers/0/driving/{0}",
+                               name, source));
 }
 
 /// Replaces types and fluid of the layout by those with the values of flags.
@@ -125,6 +149,8 @@ LayoutDocument with_values(const Json& layout, const StudyPoint& point, const st
   }
   const std::string changed = fmt::format("{} with {}", source, values);
   LayoutDocument document = layout_from_json(json, changed);
+  for (const auto& [name, value] : point)
+    if (!is_pointer(name)) require_effect(json, name, source, flag);
   if (!arguments.empty()) document = layout_from_json(with_flags(document, arguments, source, flag), changed);
   if (document.study.is_null()) document.study = Json::object();
   for (const auto& [name, value] : point) {

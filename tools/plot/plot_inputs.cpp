@@ -55,12 +55,21 @@ Prediction best_prediction(const PredictionDocument& document, const std::string
   return document.predictions[*best];
 }
 
+PlottedPrediction plotted(const PredictionDocument& document, const std::string& source,
+                          const Prediction& prediction) {
+  return {.source = source,
+          .prediction = prediction,
+          .swimmer = document.swimmer,
+          .study = document.study,
+          .scene = document.scene};
+}
+
 /// Appends the predictions by the methods in `methods`, in this order, to `result`.
 void append_named(const PredictionDocument& document, const std::string& source, const Names& methods,
                   std::vector<PlottedPrediction>& result) {
   for (const std::string& method : methods) {
     for (const Prediction& prediction : document.predictions) {
-      if (prediction.method == method) result.push_back({source, prediction, document.study});
+      if (prediction.method == method) result.push_back(plotted(document, source, prediction));
     }
   }
 }
@@ -141,7 +150,7 @@ std::vector<SourceDocument> read_documents(const std::vector<std::string>& files
 void append(const PredictionDocument& document, const std::string& source, const MethodChoice& choice,
             PlotInputs& inputs) {
   if (choice.methods.empty()) {
-    inputs.predictions.push_back({source, best_prediction(document, source), document.study});
+    inputs.predictions.push_back(plotted(document, source, best_prediction(document, source)));
   } else {
     append_named(document, source, choice.methods, inputs.predictions);
   }

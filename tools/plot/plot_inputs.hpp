@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ struct PlottedRun {
 struct PlottedPrediction {
   std::string source;
   Prediction prediction;
-  Json study{};  ///< study of the layout (layout_document.hpp)
+  int swimmer = 0;                ///< id of the swimmer in the layout
+  Json study{};                   ///< study of the layout (layout_document.hpp)
+  std::optional<Layout> scene{};  ///< nullopt if the document contains none
 };
 
 /// Run records and predictions that a figure shows, with their common units. Each list is in the order of the

@@ -8,9 +8,9 @@
 #include <optional>
 #include <set>
 
-#include "abscissa.hpp"
 #include "beadswim/compare/errors_by_setting.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/documents/document_scenes.hpp"
 #include "beadswim/figure/error_figure.hpp"
 #include "beadswim/scene/units.hpp"
 #include "flags.hpp"
@@ -49,23 +49,38 @@ struct ComparedScene {
   std::vector<const PlottedRun*> runs;
 };
 
-/// Returns true if two run records have the same box, the same driving and the same swimmer ids.
-bool are_of_one_scene(const RunRecord& a, const RunRecord& b) {
-  return a.driving == b.driving && a.domain == b.domain && a.flow == b.flow && a.body_force == b.body_force &&
-         std::ranges::equal(a.swimmers, b.swimmers, {}, &SwimmerRecord::id, &SwimmerRecord::id);
+/// A run or a prediction with which the scenes of runs are compared.
+struct OtherDocument {
+  std::string source;
+  SwimmingDocument document;
+};
+
+/// Returns the differences between the scenes of a run and of another document. A single swimmer may be
+/// anywhere, because runs at several positions within a lattice cell are drawn as one point.
+std::vector<SceneDifference> differences_between(const RunRecord& run, const SwimmingDocument& other) {
+  std::vector<SceneDifference> differences = scene_differences(run, other);
+  if (run.swimmers.size() == 1)
+    std::erase_if(differences, [](const SceneDifference& difference) {
+      return difference.property == SceneProperty::placing;
+    });
+  if (std::holds_alternative<RunRecord>(other))  // a scene can have more swimmers than its record lists
+    add_differences(differences, {{SceneProperty::swimmers, swimmers_value(swimmers_of(run))}},
+                    {{SceneProperty::swimmers, swimmers_value(swimmers_of(other))}});
+  return differences;
 }
 
-void require_one_scene(const PlottedRun& run, const PlottedRun& other) {
-  if (are_of_one_scene(run.record, other.record)) return;
-  throw InputError(run.source, fmt::format("the scene (box, driving or swimmers) differs from the scene of "
-                                           "{}; all files of this figure must have the same scene",
-                                           other.source));
+void require_one_scene(const PlottedRun& run, const OtherDocument& other) {
+  std::vector<std::string> words;
+  for (const SceneDifference& difference : differences_between(run.record, other.document))
+    words.push_back(in_words(difference));
+  if (words.empty()) return;
+  throw InputError(other.source, fmt::format("the scene differs from the scene of {}: {}; all files of this "
+                                             "figure must have the same scene",
+                                             run.source, fmt::join(words, "; ")));
 }
 
-/// Returns the velocity and stroke of a run as the reference for errors. Throws InputError if this run and
-/// the run `first` have different scenes.
-ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, const CycleChoice& cycle) {
-  require_one_scene(run, first);
+/// Returns the velocity and stroke of a run as the reference for errors.
+ErrorReference reference_of(const PlottedRun& run, const CycleChoice& cycle) {
   const RunRecord& record = run.record;
   ErrorReference reference{.name = record.model, .swimmers = {}, .uncertainty = {}};
   if (record.resolution) {
@@ -89,16 +104,8 @@ ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, cons
   return reference;
 }
 
-/// Returns the velocity and stroke of a prediction as the reference for errors. Throws InputError if the
-/// driving periods of the prediction and of the run `first` differ.
-ErrorReference reference_of(const PlottedPrediction& best, const PlottedRun& first) {
-  const auto period = number_setting(best.prediction, "period");
-  if (period && *period != first.record.driving.period) {
-    throw InputError(best.source,
-                     fmt::format("the prediction is for a period of {:g}, but the run {} has the period "
-                                 "{:g}; use runs and a prediction with the same period",
-                                 *period, first.source, first.record.driving.period));
-  }
+/// Returns the velocity and stroke of a prediction as the reference for errors.
+ErrorReference reference_of(const PlottedPrediction& best) {
   ErrorReference reference{
       .name = best.prediction.method, .swimmers = {swimming_of(best.prediction)}, .uncertainty = {}};
   if (const auto& velocity = best.prediction.uncertainty)
@@ -122,6 +129,18 @@ std::string scene_title(const RunRecord& record) {
   return title;
 }
 
+/// Returns the only run or prediction that a file of a reference contains.
+OtherDocument document_of(const PlotInputs& read) {
+  if (!read.runs.empty()) return {read.runs.front().source, read.runs.front().record};
+  const PlottedPrediction& only = read.predictions.front();
+  return {only.source, PredictionDocument{.units = read.units,
+                                          .swimmer = only.swimmer,
+                                          .predictions = {only.prediction},
+                                          .left_out = {},
+                                          .warnings = {},
+                                          .scene = only.scene}};
+}
+
 /// Reads the file of a reference and collects the runs of its scene: all runs if there is one reference.
 ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, const SpeedFlags& flags,
                          const CycleChoice& cycle) {
@@ -140,17 +159,18 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
         file,
         fmt::format("the units of the reference differ from the units of {}; make both files from one layout",
                     inputs.runs.front().source));
+  const OtherDocument reference = document_of(read);
   ComparedScene scene;
   for (const PlottedRun& run : inputs.runs)
-    if (!has_several_scenes || are_of_one_scene(run.record, read.runs.front().record))
+    if (!has_several_scenes || differences_between(run.record, reference.document).empty())
       scene.runs.push_back(&run);
   if (scene.runs.empty())
     throw InputError(file,
-                     "no run has the scene (box, driving, swimmers) of this reference; add its runs, or "
-                     "leave the reference out");
+                     "no run has the scene of this reference; add its runs, or leave the reference out");
   const PlottedRun& first = *scene.runs.front();
-  scene.reference = read.runs.empty() ? reference_of(read.predictions.front(), first)
-                                      : reference_of(read.runs.front(), first, cycle);
+  require_one_scene(first, reference);
+  scene.reference =
+      read.runs.empty() ? reference_of(read.predictions.front()) : reference_of(read.runs.front(), cycle);
   if (has_several_scenes) scene.title = scene_title(first.record);
   return scene;
 }
@@ -164,14 +184,12 @@ std::vector<ComparedScene> read_scenes(const PlotInputs& inputs, const SpeedFlag
     const auto matches = std::ranges::count_if(
         scenes, [&](const ComparedScene& scene) { return std::ranges::count(scene.runs, &run) > 0; });
     if (matches > 1)
-      throw InputError(
-          run.source,
-          "two references have the scene (box, driving, swimmers) of this run; draw the scenes in "
-          "separate figures");
+      throw InputError(run.source,
+                       "two references have the scene of this run; draw the scenes in separate figures");
     if (matches == 0)
       throw InputError(run.source,
-                       "the scene (box, driving, swimmers) of this run is that of no reference; add "
-                       "its reference to --reference, or leave the run out");
+                       "the scene of this run is that of no reference; add its reference to --reference, or "
+                       "leave the run out");
   }
   return scenes;
 }
@@ -180,10 +198,11 @@ bool has_finer_levels(const RunRecord& record) {
   return record.resolution && record.resolution->levels && record.resolution->levels->size() > 1;
 }
 
-/// Returns the number of driving periods that a run has completed. For a lattice run with cells of one size
-/// it is a fraction, computed from the number of cell updates; for other runs it is the number of complete
-/// cycles.
+/// Returns the number of base periods that a run has completed. In older records, which do not state it, it
+/// follows from the number of cell updates for a lattice run with cells of one size; for other runs it is the
+/// number of complete cycles.
 double periods_done(const RunRecord& record) {
+  if (record.cost->cycles) return *record.cost->cycles;
   if (!record.resolution || has_finer_levels(record) || !record.domain.box || !record.cost->cell_updates) {
     const std::vector<CycleStatistics>& cycles = record.swimmers.front().cycles;
     return cycles.empty() ? 0 : cycles.back().index;
@@ -227,8 +246,26 @@ void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
                                            other.source));
 }
 
-std::vector<CostedRun> costed_runs(const std::vector<const PlottedRun*>& plotted, const CycleChoice& cycle) {
+/// Throws InputError if a swimmer of the run has another number of arms than in the reference.
+void require_same_arms(const PlottedRun& run, const std::vector<ComparedValues>& swimmers,
+                       const ErrorReference& reference) {
+  const auto arms = [](const ComparedValues& values) {
+    return values.at(ComparedQuantity::arm_amplitudes).size();
+  };
+  for (std::size_t s = 0; s < swimmers.size(); ++s) {
+    const ComparedValues& expected = reference.swimmers[reference.swimmers.size() == 1 ? 0 : s];
+    if (arms(expected) == arms(swimmers[s])) continue;
+    throw InputError(run.source, fmt::format("swimmer {} has {} arms, but {} in the reference ({}); give the "
+                                             "reference of this scene",
+                                             run.record.swimmers[s].id, arms(swimmers[s]), arms(expected),
+                                             reference.name));
+  }
+}
+
+std::vector<CostedRun> costed_runs(const ComparedScene& scene, const CycleChoice& cycle) {
   std::vector<CostedRun> runs;
+  const std::vector<const PlottedRun*>& plotted = scene.runs;
+  const OtherDocument first{plotted.front()->source, plotted.front()->record};
   for (const PlottedRun* each : plotted) {
     const PlottedRun& run = *each;
     CostedRun costed{.source = run.source, .setting = setting_name(run.record), .swimmers = {}};
@@ -236,12 +273,13 @@ std::vector<CostedRun> costed_runs(const std::vector<const PlottedRun*>& plotted
     const auto same_setting = std::ranges::find_if(runs, [&](const CostedRun& other) {
       return other.setting == costed.setting && other.resolution == costed.resolution;
     });
-    require_one_scene(run, *plotted.front());
+    require_one_scene(run, first);
     if (same_setting != runs.end())
       require_same_corrections(run, *plotted[static_cast<std::size_t>(same_setting - runs.begin())]);
     costed.cost = cost_of(run);
     for (const SwimmerRecord& swimmer : run.record.swimmers)
       costed.swimmers.push_back(swimming_of(run.record, swimmer, cycle, run.source));
+    require_same_arms(run, costed.swimmers, scene.reference);
     runs.push_back(std::move(costed));
   }
   return runs;
@@ -284,7 +322,7 @@ Figure speed_figure(const PlotInputs& inputs, const SpeedFlags& flags, const Cyc
   std::vector<QuantityErrors> panels;
   std::set<std::string> references;
   for (const ComparedScene& scene : read_scenes(inputs, flags, cycle)) {
-    const auto all = errors_by_setting(costed_runs(scene.runs, cycle), scene.reference.swimmers);
+    const auto all = errors_by_setting(costed_runs(scene, cycle), scene.reference.swimmers);
     references.insert(scene.reference.name);
     for (const auto& [quantity, name] : {std::pair(ComparedQuantity::velocity, "velocity"),
                                          std::pair(ComparedQuantity::arm_amplitudes, "arm amplitudes")})

@@ -151,10 +151,11 @@ Panel panel_by_cycle(const PlotInputs& inputs, const StrokeNumbers& numbers, con
     for (const PlottedRun& run : inputs.runs) runs.push_back(points_by_cycle(inputs, run, number));
     append_points_and_curves(runs, {}, number.colour, panel);
     std::vector<Level> levels;
-    for (const auto& [source, prediction, study] : inputs.predictions) {
-      const ComparedValues swimming = swimming_of(prediction);
-      levels.push_back({number.label(prediction.method + varied_text(inputs, study)), number.in(swimming),
-                        number.error_in(swimming, uncertainties_of(prediction))});
+    for (const PlottedPrediction& plotted : inputs.predictions) {
+      const ComparedValues swimming = swimming_of(plotted.prediction);
+      levels.push_back({number.label(plotted.prediction.method + varied_text(inputs, plotted.study)),
+                        number.in(swimming),
+                        number.error_in(swimming, uncertainties_of(plotted.prediction))});
     }
     append_levels(levels, cycles.first - overhang, cycles.last + overhang, number.colour, panel);
   }

@@ -33,17 +33,22 @@ std::span<const CycleStatistics> select_cycles(std::span<const CycleStatistics> 
     throw InputError(source, "the run record contains no complete cycle; run for one cycle or more");
   }
   const auto number = static_cast<std::size_t>(choice.number);
-  if (choice.kind == CycleChoice::Kind::last && number <= cycles.size()) return cycles.last(number);
+  const auto are_all = [](std::span<const CycleStatistics> some) {
+    return some.back().index - some.front().index + 1 == std::ssize(some);
+  };
+  if (choice.kind == CycleChoice::Kind::last && number <= cycles.size() && are_all(cycles.last(number)))
+    return cycles.last(number);
   const auto found = std::find_if(cycles.begin(), cycles.end(), [&](const CycleStatistics& cycle) {
     return choice.kind == CycleChoice::Kind::index && cycle.index == choice.number;
   });
   if (found != cycles.end()) return {found, 1};
   const std::string wanted = choice.kind == CycleChoice::Kind::index
                                  ? fmt::format("cycle {}", choice.number)
-                                 : fmt::format("{} cycles", choice.number);
-  throw InputError(
-      source, fmt::format("the run does not contain {}, only cycles {} to {}; give {} another value", wanted,
-                          cycles.front().index, cycles.back().index, Setting::cycle));
+                                 : fmt::format("the last {} cycles", choice.number);
+  throw InputError(source,
+                   fmt::format("the run does not contain {}, only {}cycles {} to {}; give {} another value",
+                               wanted, are_all(cycles) ? "" : "some of the ", cycles.front().index,
+                               cycles.back().index, Setting::cycle));
 }
 
 }  // namespace beadswim

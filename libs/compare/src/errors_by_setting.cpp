@@ -22,10 +22,12 @@ std::map<ComparedQuantity, std::vector<double>> errors_of(const CostedRun& run,
   std::map<ComparedQuantity, std::vector<SquareSums>> sums;
   for (std::size_t s = 0; s < run.swimmers.size(); ++s) {
     for (const auto& [quantity, values] : reference[reference.size() == 1 ? 0 : s]) {
+      const auto found = run.swimmers[s].find(quantity);
+      if (found == run.swimmers[s].end()) continue;
       std::vector<SquareSums>& own = sums[quantity];
       own.resize(std::max(own.size(), values.size()));
       for (std::size_t i = 0; i < values.size(); ++i) {
-        own[i].change += std::pow(run.swimmers[s].at(quantity)[i] - values[i], 2);
+        own[i].change += std::pow(found->second[i] - values[i], 2);
         own[i].reference += std::pow(values[i], 2);
       }
     }

@@ -105,7 +105,8 @@ SceneFacts scene_facts(const Layout& layout, double cycles) {
 
 std::string film_obstacle(const SwimmerFacts& swimmer_facts) {
   if (!swimmer_facts.best) return "theory cannot predict the motion: " + swimmer_facts.obstacle;
-  constexpr double thin = 0.5;  // relative to the smallest bead radius
+  if (swimmer_facts.representative.is_stand_in) return {};  // its gaps are not those of the swimmer
+  constexpr double thin = 0.5;                              // relative to the smallest bead radius
   if (swimmer_facts.best->smallest_stroke_gap >=
       thin * *std::ranges::min_element(swimmer_facts.representative.question.swimmer.radius))
     return {};

@@ -40,8 +40,8 @@ void require_validated(const SceneFacts& facts);
 SceneFacts scene_facts(const Layout& layout, double cycles);
 
 /// Returns the reason why no mobility model is accurate for the swimmer: theory finds no periodic motion, or
-/// beads come so close during the stroke that the thin film between them matters. Otherwise returns an empty
-/// string.
+/// three beads on a line come so close during the stroke that the thin film between them matters. Otherwise
+/// returns an empty string.
 std::string film_obstacle(const SwimmerFacts& swimmer_facts);
 
 /// Returns the larger of the errors in `a` and `b`, separately for the velocity and for each arm amplitude.

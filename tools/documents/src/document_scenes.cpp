@@ -1,5 +1,7 @@
 #include "beadswim/documents/document_scenes.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace beadswim {
@@ -74,6 +76,11 @@ std::vector<SceneDifference> scene_differences(const RunRecord& run, const Swimm
   }
   std::ranges::sort(differences, {}, &SceneDifference::property);
   return differences;
+}
+
+std::string in_words(const SceneDifference& difference) {
+  return fmt::format("{} {} instead of {}", to_text(difference.property), difference.reference,
+                     difference.run);
 }
 
 }  // namespace beadswim

@@ -79,6 +79,14 @@ std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader
   return indices;
 }
 
+/// Returns the number of cycles that a swimmer has completed after `base_cycles` cycles of the base period.
+/// `period`: its driving period; nullopt: the base period.
+int cycles_completed(double base_period, std::size_t base_cycles, std::optional<double> period) {
+  constexpr double roundoff = 1e-9;  // of quotients that are whole numbers
+  const double cycles = static_cast<double>(base_cycles) * (period ? base_period / *period : 1);
+  return static_cast<int>(cycles * (1 + roundoff));
+}
+
 }  // namespace
 
 double TrajectoryFile::period() const {
@@ -141,8 +149,11 @@ RunRecord run_of_trajectory(const std::string& path) {
     const auto statistics = records_of<CycleStatistics>(cycles[c].columns, record.swimmers.size());
     for (std::size_t s = 0; s < statistics.size(); ++s) {
       if (std::isnan(statistics[s].velocity[0])) continue;  // has not completed a cycle
-      CycleStatistics& cycle = record.swimmers[s].cycles.emplace_back(statistics[s]);
-      cycle.index = static_cast<int>(c) + 1;
+      SwimmerRecord& swimmer = record.swimmers[s];
+      const int index = cycles_completed(record.driving.period, c + 1, swimmer.period);
+      if (!swimmer.cycles.empty() && swimmer.cycles.back().index == index) continue;  // the same cycle again
+      CycleStatistics& cycle = swimmer.cycles.emplace_back(statistics[s]);
+      cycle.index = index;
       cycle.speed_along_axis = cycle.velocity.dot(cycle.axis);
       for (auto* arms : {&cycle.arm_amplitudes, &cycle.arm_phases, &cycle.arm_means})
         arms->resize(file.type(s).bonds.size());

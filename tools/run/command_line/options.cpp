@@ -217,10 +217,14 @@ void add_flags(CLI::App& program, RunOptions& options) {
 }
 
 /// Without a plan, uses --tolerance of a mobility model as --sum-tolerance, its name in later versions.
-/// Throws InputError if the model is lbm, if both flags are given, or if the value is invalid for
-/// --sum-tolerance.
+/// Throws InputError if the model is lbm, if both flags are given, if the value is invalid for
+/// --sum-tolerance, or at a restart.
 void apply_former_tolerance(RunOptions& options) {
   if (!options.tolerance || options.plan || options.settings.model == RunModel::automatic) return;
+  if (!options.restart.empty())
+    throw InputError("--tolerance",
+                     "the flag chooses the model at the start of a run, and a restart continues with its "
+                     "model and settings; leave the flag out");
   if (options.settings.model == RunModel::lbm || options.given.contains("--sum-tolerance"))
     throw InputError("--tolerance", "the flag applies to --plan and --model auto only; leave it out");
   if (const std::string why = product_tolerance()(fmt::format("{}", *options.tolerance)); !why.empty())

@@ -17,6 +17,9 @@ namespace {
 
 constexpr const char *beads_section = "overdamped", *memory_section = "memory";
 
+/// Run with lubrication at the wall of a half-space, for warnings.
+constexpr const char* lattice_over_wall = "--model lbm in a box with the boundary no-slip across the wall";
+
 }  // namespace
 
 OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested, const std::string& source,
@@ -212,21 +215,22 @@ std::vector<RunWarning> OverdampedModel::warnings() const {
                        "error of up to {}; the expected error, for the height of {:.3g} radii at rest, does "
                        "not contain it; compare this run with {}",
                        height, in_percent(error), *plan_.height_at_rest,
-                       is_best ? "--model lbm in a box with the boundary no-slip across the wall"
-                               : "--model multipole --multipole-order 2")});
+                       is_best ? lattice_over_wall : "--model multipole --multipole-order 2")});
   }
   const double gap = system_.state().smallest_gap;
   if (!std::isfinite(gap)) return warnings;
-  const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
+  const bool is_over_wall = plan_.scene.half_space.has_value();
+  const bool knows_films = plan_.scene.model == MobilityModel::rpy_near && !is_over_wall;
   warnings.push_back(
       {"repulsion",
        fmt::format(
            "beads came within a gap of {:.3g} of each other or of a wall and were repelled; {}; "
-           "compare this run with a run by --model lbm",
+           "compare this run with {}",
            gap,
            knows_films
                ? "this repulsion is artificial and not a physical force"
-               : "the model of this run neglects lubrication by the fluid film between close surfaces")});
+               : "the model of this run neglects lubrication by the fluid film between close surfaces",
+           is_over_wall ? lattice_over_wall : "a run by --model lbm")});
   return warnings;
 }
 

@@ -96,6 +96,8 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
   add_conservation(record, parts.model.first_totals(), outcome.last_totals);
   record.cost = RunCost{.wall_seconds = outcome.wall_seconds,
                         .core_seconds = outcome.core_seconds,
+                        .cycles = static_cast<double>(parts.model.steps_done()) /
+                                  static_cast<double>(parts.plan.steps_per_cycle),
                         .ranks = parts.communicator.size(),
                         .cell_updates = std::nullopt,
                         .mlups = std::nullopt,

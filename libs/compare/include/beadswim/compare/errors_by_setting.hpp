@@ -35,7 +35,8 @@ struct ErrorsOfSetting {
   std::vector<ErrorsAtResolution> resolutions;  ///< in order of increasing resolution
 };
 
-/// Returns the relative errors of the runs for each quantity that `reference` contains. The error of a run
+/// Returns the relative errors of the runs for each quantity that reference and run contain, which must have
+/// equal numbers of values, and equal numbers of swimmers if `reference` has several. The error of a run
 /// with several swimmers is the root mean square of their differences from the reference, divided by the root
 /// mean square of the reference, so that a swimmer with a small velocity does not dominate. `reference`
 /// contains the correct values, either in one entry for all swimmers or in one entry per swimmer. The result

@@ -13,4 +13,8 @@ namespace beadswim {
 /// domain, swimmers and driving, a prediction the driving of its swimmer.
 std::vector<SceneDifference> scene_differences(const RunRecord& run, const SwimmingDocument& reference);
 
+/// Returns the difference in words, for example "period 2000 instead of 4800": the value of the reference
+/// instead of the value of the run.
+std::string in_words(const SceneDifference& difference);
+
 }  // namespace beadswim

@@ -217,6 +217,7 @@ struct CommunicationRecord {
 struct RunCost {
   double wall_seconds = 0;
   double core_seconds = 0;
+  std::optional<double> cycles;  ///< base cycles that the run has completed; absent in older records
   int ranks = 1;
   std::optional<std::int64_t> cell_updates;
   std::optional<double> mlups;  ///< 10^6 cell updates per second of wall time
@@ -226,6 +227,7 @@ struct RunCost {
   static void visit_fields(auto&& visit, auto& cost) {
     visit("wall_seconds", cost.wall_seconds);
     visit("core_seconds", cost.core_seconds);
+    visit("cycles", cost.cycles, omitted_if_none);
     visit("ranks", cost.ranks);
     visit("cell_updates", cost.cell_updates);
     visit("mlups", cost.mlups);
