@@ -90,7 +90,7 @@ check 'no warning of the approach' holds '.warnings | any(.code == "wall-approac
 run beadswim-run sink.json -o sink.h5md --model multipole --multipole-order 2 --cycles 0.6 --progress none
 check 'the remedy is the run itself' holds '.warnings | any(.code == "wall-approach" and (.message | test("compare this run with --model lbm")))' out
 run beadswim-run sink.json -o sink.h5md --model rpy+near --cycles 2 --progress none
-check 'a repulsion by the wall names no lattice that treats it' holds '.warnings | any(.code == "repulsion" and (.message | test("neglects lubrication.* --model lbm in a box with the boundary no-slip")))' out
+check 'a repulsion by the wall names no lattice that treats it' holds '.warnings | any(.code == "repulsion" and (.message | test("artificial.* --model lbm in a box with the boundary no-slip")))' out
 over_wall 8 >near.json
 run beadswim-run near.json -o near.h5md "${settings[@]}" --cycles 0.2
 check 'a warning although no bead approaches' holds '.warnings | all(.code != "wall-approach")' out

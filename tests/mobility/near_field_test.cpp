@@ -157,7 +157,7 @@ TEST(NearField, IsSymmetricAndPositiveDefinite) {
 TEST(NearField, KeepsTheNetForceAndUniformFlow) {
   const Crowd crowd(4, 6, {7, 8, 9});
   for (const auto& box : {std::optional<Box>{}, std::optional(Box{{7, 8, 9}, {}})}) {
-    const NearMap map = NearField(crowd.radii, lines_of_three(crowd.radii), box).at(crowd.places);
+    const NearMap map = NearField(crowd.radii, lines_of_three(crowd.radii), box, std::nullopt).at(crowd.places);
     Vectors forces = crowd.forces;
     forces[0] += Vec3(1, 2, 3);  // the sum
     map.map_forces(forces);

@@ -220,7 +220,7 @@ std::vector<RunWarning> OverdampedModel::warnings() const {
   const double gap = system_.state().smallest_gap;
   if (!std::isfinite(gap)) return warnings;
   const bool is_over_wall = plan_.scene.half_space.has_value();
-  const bool knows_films = plan_.scene.model == MobilityModel::rpy_near && !is_over_wall;
+  const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
   warnings.push_back(
       {"repulsion",
        fmt::format(

@@ -110,6 +110,7 @@ auto LazyTable<axes, values>::at(const Place& place) const -> Values {
   return sum;
 }
 
+template class LazyTable<1, 1>;
 template class LazyTable<1, 2>;
 template class LazyTable<2, 6>;
 

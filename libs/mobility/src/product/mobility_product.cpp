@@ -127,7 +127,8 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
                          .near_field = {},
                          .near_map = {},
                          .mapped_places = {}});
-  if (scene.model == MobilityModel::rpy_near) parts_->near_field.emplace(scene.radii, scene.lines, scene.box);
+  if (scene.model == MobilityModel::rpy_near)
+    parts_->near_field.emplace(scene.radii, scene.lines, scene.box, scene.half_space);
   if (scene.box || scene.radii.size() >= min_spheres_on_mesh)
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
   // Roundoff may differ between processors, so all ranks use the plan of rank 0.

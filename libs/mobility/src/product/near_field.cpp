@@ -70,11 +70,13 @@ double pair_weight(double distance) {
   return 1 - t * t * t * (10 - 15 * t + 6 * t * t);
 }
 
-NearField::NearField(std::vector<double> radii, std::vector<int> lines, std::optional<Box> box)
+NearField::NearField(std::vector<double> radii, std::vector<int> lines, std::optional<Box> box,
+                     std::optional<HalfSpace> half_space)
     : radii_(std::move(radii)),
       lines_(std::move(lines)),
       line_of_(radii_.size(), -1),
       box_(box),
+      half_space_(half_space),
       lengths_(mirrored_lengths(box)) {
   std::map<std::array<double, 3>, int> tables;
   for (std::size_t line = 0; line < lines_.size(); ++line) {
@@ -91,7 +93,7 @@ NearMap NearField::at(std::span<const Vec3> positions) const {
   std::vector<LineLink> lines;
   lines.reserve(lines_.size());
   for (std::size_t line = 0; line < lines_.size(); ++line) lines.push_back(line_link(line, positions));
-  return {std::move(lines), pair_links(positions), radii_.size()};
+  return {std::move(lines), pair_links(positions), wall_links(positions), radii_.size()};
 }
 
 LineLink NearField::line_link(std::size_t line, std::span<const Vec3> positions) const {
@@ -153,6 +155,15 @@ void NearField::add_pair(const Images& images, int one, int other, const Vec3& s
                    .axis = direction(separation),
                    .own = row[0],
                    .other = row[1]});
+}
+
+std::vector<WallLink> NearField::wall_links(std::span<const Vec3> positions) const {
+  std::vector<WallLink> links;
+  if (!half_space_) return links;
+  for (std::size_t b = 0; b < radii_.size(); ++b)
+    if (const double log = wall_table_.log_map(half_space_->height(positions[b]) / radii_[b]); log != 0)
+      links.push_back({static_cast<int>(b), Vec3::Unit(half_space_->axis), log});
+  return links;
 }
 
 const PairMapTable& NearField::pair_table(int bead, int partner) const {

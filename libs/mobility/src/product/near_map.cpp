@@ -7,15 +7,16 @@
 namespace beadswim {
 namespace {
 
-/// Returns an upper bound of the norm of L = sum of log S_p over all pairs p (near_map.hpp), and of the norm
+/// Returns an upper bound of the norm of L, the sum of log S_p and log S_w (near_map.hpp), and of the norm
 /// of its transpose. The bound is the largest sum of the norms of the 3 x 3 matrices in one row of L.
-double norm_bound(std::span<const PairLink> pairs, std::size_t beads) {
+double norm_bound(std::span<const PairLink> pairs, std::span<const WallLink> walls, std::size_t beads) {
   std::vector<double> rows(beads, 0.0);
   for (const PairLink& pair : pairs) {
     const double row_bound = 2 * std::max(std::abs(pair.own), std::abs(pair.other));
     rows[pair.bead] += row_bound;
     if (!pair.is_image) rows[pair.partner] += row_bound;
   }
+  for (const WallLink& wall : walls) rows[wall.bead] += std::abs(wall.log);
   return beads == 0 ? 0 : *std::ranges::max_element(rows);
 }
 
@@ -35,8 +36,9 @@ void add_change_of_line(const LineLink& line, const Eigen::Matrix3d& change, std
 
 }  // namespace
 
-NearMap::NearMap(std::vector<LineLink> lines, std::vector<PairLink> pairs, std::size_t beads)
-    : lines_(std::move(lines)), pairs_(std::move(pairs)) {
+NearMap::NearMap(std::vector<LineLink> lines, std::vector<PairLink> pairs, std::vector<WallLink> walls,
+                 std::size_t beads)
+    : lines_(std::move(lines)), pairs_(std::move(pairs)), walls_(std::move(walls)) {
   std::vector<int> place(beads, -1);
   const auto place_of = [&](int bead) {
     if (place[bead] < 0) {
@@ -49,16 +51,17 @@ NearMap::NearMap(std::vector<LineLink> lines, std::vector<PairLink> pairs, std::
     const int bead = place_of(pair.bead);
     link_ends_.emplace_back(bead, place_of(pair.partner));
   }
-  parts_ = std::max(1, static_cast<int>(std::ceil(norm_bound(pairs_, beads))));
+  for (const WallLink& wall : walls_) wall_ends_.push_back(place_of(wall.bead));
+  parts_ = std::max(1, static_cast<int>(std::ceil(norm_bound(pairs_, walls_, beads))));
 }
 
 /// Applies exp(L/parts_), evaluated as a Taylor series, `parts_` times to the vectors of the beads. L is the
-/// sum of log S_p over all pairs p (near_map.hpp). increments(pair, a, b) returns the contributions of a pair
+/// sum of log S_p and log S_w (near_map.hpp). increments(pair, a, b) returns the contributions of a pair
 /// to the products of L and the vectors, for the bead and for its partner, along the axis of the pair. a and
 /// b are the components of the vectors of the bead and of the partner along this axis.
 template <class PairAction>
 void NearMap::exponentiate(std::span<Vec3> vectors, const PairAction& increments) const {
-  if (pairs_.empty()) return;
+  if (linked_beads_.empty()) return;
   constexpr int max_terms = 24;  // 1/24! is below roundoff
   constexpr double truncation = 1e-17;
   std::vector<Vec3> sum, term, next(linked_beads_.size());
@@ -75,6 +78,10 @@ void NearMap::exponentiate(std::span<Vec3> vectors, const PairAction& increments
         const auto [increment, partner_increment] = increments(pair, a, b);
         next[bead] += increment * pair.axis;
         if (!pair.is_image) next[partner] += partner_increment * pair.axis;
+      }
+      for (std::size_t w = 0; w < walls_.size(); ++w) {
+        const WallLink& wall = walls_[w];
+        next[wall_ends_[w]] += wall.log * wall.normal.dot(term[wall_ends_[w]]) * wall.normal;
       }
       for (std::size_t b = 0; b < sum.size(); ++b) {
         term[b] = next[b] / (n * parts_);

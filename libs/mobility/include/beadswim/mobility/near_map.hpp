@@ -7,14 +7,16 @@
 #include "beadswim/core/vec3.hpp"
 
 // Map S of the forces on all beads, and map S^T of their velocities. The two maps make the Rotne-Prager
-// mobility M of close beads exact along the lines between them:
+// mobility M of close beads exact along the lines between them, and that of beads over a plane no-slip wall
+// across it:
 //
-//   S = exp(sum over pairs p of log S_p) blockdiag(S_three),       v = S^T M S F
+//   S = exp(sum over pairs p of log S_p + sum over walls w of log S_w) blockdiag(S_three),    v = S^T M S F
 //
 //   F, v        forces on all beads, velocities of all beads
 //   S_three     map of the forces on three beads of a swimmer that stay on a line
 //   blockdiag   block-diagonal matrix with one S_three for each such swimmer, and 1 for other beads
 //   S_p         map of the forces on the two beads of a close pair p
+//   S_w         map of the force on a bead over a wall (wall_map.hpp)
 //   S_line      matrix that maps the components of these three or two forces along the line of their beads
 //               (line_map.hpp)
 //   e           unit vector along this line
@@ -56,10 +58,20 @@ struct PairLink {
   double own = 0, other = 0;   ///< first row of the 2 x 2 matrix log S_line of the pair, times its weight
 };
 
+/// Matrix log S_w that corrects the force on a bead over a plane no-slip wall. It is symmetric:
+///
+///   log S_w f = log (normal.f) normal
+struct WallLink {
+  int bead = 0;
+  Vec3 normal = Vec3::UnitZ();  ///< unit vector across the wall
+  double log = 0;               ///< log s (wall_map.hpp)
+};
+
 class NearMap {
  public:
   /// Sets up the map S of `beads` beads. Each bead belongs to at most one line.
-  NearMap(std::vector<LineLink> lines, std::vector<PairLink> pairs, std::size_t beads);
+  NearMap(std::vector<LineLink> lines, std::vector<PairLink> pairs, std::vector<WallLink> walls,
+          std::size_t beads);
 
   /// Replaces the forces f on all beads by S f.
   void map_forces(std::span<Vec3> forces) const;
@@ -75,10 +87,12 @@ class NearMap {
 
   std::vector<LineLink> lines_;
   std::vector<PairLink> pairs_;
-  std::vector<int> linked_beads_;               ///< beads that belong to a pair
+  std::vector<WallLink> walls_;
+  std::vector<int> linked_beads_;               ///< beads that belong to a pair or are over a wall
   std::vector<std::pair<int, int>> link_ends_;  ///< per pair, the indices of its beads in linked_beads_
+  std::vector<int> wall_ends_;                  ///< per wall link, the index of its bead in linked_beads_
   /// Number of factors by which exp(L) is evaluated, exp(L) = exp(L/parts_)^parts_, where L is the sum of log
-  /// S_p over all pairs p. The norm of L/parts_ is at most 1.
+  /// S_p over all pairs p and of log S_w over all walls w. The norm of L/parts_ is at most 1.
   int parts_ = 1;
 };
 

@@ -21,8 +21,9 @@ ExpectedErrors expected_errors(const Layout& layout, MobilityModel model, const 
                                double cycles);
 ExpectedErrors expected_errors(const Layout& layout, const SceneOnLattice& on_lattice, double cycles);
 
-/// Returns the relative error of the mobility of one sphere across a plane no-slip wall, at this height over
-/// its radius. A part of the expected error.
+/// Returns the relative error of the mobility of one sphere over a plane no-slip wall, at this height over
+/// its radius: across the wall, where it is largest, and along it with rpy+near. A part of the expected
+/// error.
 double error_near_wall(double height, MobilityModel model, const MobilitySettings& settings);
 
 }  // namespace beadswim
