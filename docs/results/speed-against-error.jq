@@ -29,8 +29,9 @@ def head: row, (map("---") | "|" + join("|") + "|");
 map(. + {settings: settings, uncertainty: uncertainty}) as $scenes
 | (["scene"] + ([10, 3, 1, 0.3] | map("\(.) %")) + ["uncertainty of the reference"] | head),
   ($scenes[] | [.title] + (. as $scene | [0.1, 0.03, 0.01, 0.003] | map(. as $tolerance
-      | [$scene.settings[] | select(([.v, .arms] | max) <= ([$tolerance, $scene.uncertainty] | max))] | min_by(.cost)
-      | if . then "\(.name): \(.cost | number) s" + (if $scene.uncertainty > $tolerance then " (\($scene.uncertainty | percents) %)" else "" end)
+      | (if $scene.uncertainty <= 1.5 * $tolerance then [$tolerance, $scene.uncertainty] | max else $tolerance end) as $limit
+      | [$scene.settings[] | select(([.v, .arms] | max) <= $limit)] | min_by(.cost)
+      | if . then "\(.name): \(.cost | number) s" + (if $limit > $tolerance then " (\($scene.uncertainty | percents) %)" else "" end)
         else "none" end)) + ["\(.uncertainty | percents) %"] | row),
   "",
   (["run"] + ($scenes | map(.title)) | head),

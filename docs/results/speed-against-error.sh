@@ -3,7 +3,7 @@
 # precisions, relaxation times and levels of cells, one run at a time on one rank. The references of nine and 540 swimmers run
 # on two ranks.
 #   docs/results/speed-against-error.sh FOLDER [SCENE...]     (the programs on PATH)
-# SCENE: swimmer (15 minutes), cell (10), nine (20), many (60); default: all. Writes for each scene FOLDER/SCENE.jsonl, one record
+# SCENE: swimmer (15 minutes), cell (10), nine (20), many (90); default: all. Writes for each scene FOLDER/SCENE.jsonl, one record
 # per line with the last cycle only, and the reference, FOLDER/SCENE-reference.json. "cell" is the unit cell of the paper's
 # uniform swarm; "many" are 540 swimmers. The reference of the swimmer is made from runs of resolution.sh.
 set -euo pipefail
@@ -115,10 +115,12 @@ if is_wanted swimmer; then
   } | jq -sc -f "$results/extrapolated-record.jq" >swimmer-reference.json
 fi
 
-# Runs a finer resolution on two ranks and extrapolates it and a coarser run, for the reference of a scene.
-extrapolate() { # SCENE CYCLES FINE   standard input: record of the coarser run
-  { cat; ranks=2 on_lattice "$1" "$2" "$3" 1 --relaxation-time 0.8 --precision single; } |
-    jq -sc -f "$results/extrapolated-record.jq" >"$1-reference.json"
+# Runs finer resolutions on two ranks and extrapolates them and a coarser run, for the reference of a scene.
+extrapolate() { # SCENE CYCLES FINE...   standard input: record of the coarser run
+  local cells
+  { cat; for cells in "${@:3}"; do ranks=2 on_lattice "$1" "$2" "$cells" 1 --relaxation-time 0.8 --precision single; done; } \
+    >"$1-reference.jsonl"
+  jq -sc -f "$results/extrapolated-record.jq" "$1-reference.jsonl" >"$1-reference.json"
 }
 
 if is_wanted nine; then
@@ -142,6 +144,7 @@ if is_wanted many; then
     for time in 0.8 1 1.5; do times many 3 1 3 $time --precision single; done
     for cells in 2 3; do times many 3 1 $cells 1 --precision double; done
     times many 3 1 3 1 --precision single --refine 1
+    times many 3 1 5 0.8 --precision single
   } >many.jsonl
-  jq -c 'select(.resolution.relaxation_time | . and . > 0.7 and . < 0.9)' many.jsonl | extrapolate many 3 4
+  jq -c 'select((.resolution.relaxation_time | . and . > 0.7 and . < 0.9) and .resolution.cells_per_radius == 3)' many.jsonl | extrapolate many 3 4 5
 fi

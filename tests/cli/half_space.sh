@@ -82,11 +82,13 @@ check 'a fast uniform flow changes the motion' holds '[., input] | map(.swimmers
 run beadswim-run carried.json -o carried.h5md "${settings[@]}" --cycles 1
 check 'a uniform flow changes more than the velocity' holds '[., input] | map(.swimmers[0].cycles[0].velocity) | (.[1][0] - .[0][0] - 1e-4 | fabs) < 1e-9 and (.[1][1] - 2e-4 | fabs) < 1e-9' free-run.json out
 
+refuses 'multipole-ode: .*methods for this swimmer are oseen-ode and rpy-ode' beadswim-theory over.json --method multipole-ode
+
 # --- a run warns of beads that come to the wall later
 beadswim-layout shape sphere --half-space z --position 0,0,30 --force 2 --direction 0,0,-1 --amplitude 0 >sink.json
 run beadswim-run sink.json -o sink.h5md "${settings[@]}" --cycles 0.6
 has_status 0
-check 'no warning of the approach' holds '.warnings | any(.code == "wall-approach" and (.message | test("up to [0-9.]+ %; the expected error, for the height of 7.5 radii.*--multipole-order 2")))' out
+check 'no warning of the approach' holds '.warnings | any(.code == "wall-approach" and (.message | test("up to [0-9.]+ %; an expected error is for the height of 7.5 radii.*--multipole-order 2")))' out
 run beadswim-run sink.json -o sink.h5md --model multipole --multipole-order 2 --cycles 0.6 --progress none
 check 'the remedy is the run itself' holds '.warnings | any(.code == "wall-approach" and (.message | test("compare this run with --model lbm")))' out
 run beadswim-run sink.json -o sink.h5md --model rpy+near --cycles 2 --progress none

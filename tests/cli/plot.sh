@@ -278,6 +278,10 @@ refuses 'run.json: the run has an error of 0 in the velocity.*leave this file ou
 { cat several.jsonl; scaled 1.02 2 5 '| .resolution.density_on_lattice = 2'; } >corrections.jsonl
 refuses 'corrections.jsonl line 5: this run differs from .* line 1 only in --radius-correction or --delay-correction' \
   beadswim-plot speed-against-error corrections.jsonl --reference run.json
+# A prediction is for one swimmer.
+jq '.swimmers += [.swimmers[0] | .id = 1 | .cycles[].velocity[0] *= 2]' run.json >two_swimmers.json
+same_bytes 'beadswim-plot speed-against-error run.json --reference prediction.json' \
+  'beadswim-plot speed-against-error two_swimmers.json --reference prediction.json'
 # --- several scenes: runs belong to the reference of their box; each scene has a panel, all have one legend
 jq -c '.domain.lengths[0] += 8' several.jsonl >longer_runs.jsonl
 jq '.domain.lengths[0] += 8' run.json >longer.json
@@ -299,12 +303,15 @@ refuses 'longer.json: no run has the scene of this reference' \
   beadswim-plot speed-against-error several.jsonl --reference run.json,longer.json
 refuses 'uncertain.json: with several references, each must be a run record' \
   beadswim-plot speed-against-error several.jsonl --reference run.json,uncertain.json
-# Records that contain their scene: all of it is compared, but the position of a single swimmer.
+# Records that contain their scene: all of it is compared, but for translations that change nothing.
 head -2 "$BEADSWIM_SOURCE/docs/results/speed-against-error/swimmer.jsonl" >staged.jsonl
 head -1 staged.jsonl | jq -c '.swimmers[].cycles[].velocity[0] *= 1.1' >stage.json
 edited_stage() { jq -c "$1" stage.json >edited.json; }
 edited_stage '.scene.swimmers[0].position[0] += 0.5'
 accepts beadswim-plot speed-against-error staged.jsonl --reference edited.json --quantity velocity
+edited_stage '.scene.swimmers[0].axis = [-1, 0, 0]'
+refuses 'edited.json: the scene differs from the scene of staged.jsonl line 1: placing swimmer 0 with axis' \
+  beadswim-plot speed-against-error staged.jsonl --reference edited.json
 edited_stage '.scene.types[].beads[].radius = 5'
 refuses 'edited.json: the scene differs from the scene of staged.jsonl line 1: radius 5 instead of 4' \
   beadswim-plot speed-against-error staged.jsonl --reference edited.json

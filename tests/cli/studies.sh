@@ -36,7 +36,7 @@ accepts beadswim-layout vary swarm.json --over amplitude=1
 check 'own phases stay' holds -s '.[0].types.a.driving.amplitude == [1, 1] and ([.[0].swimmers[].driving.phase_offset] | unique | length == 9)
   and all(.[0].swimmers[]; .driving | has("amplitude") | not)' out
 beadswim-layout defect frequency --sigma 0.1 --seed 1 <swarm.json >frequencies.json
-refuses '"period" changes nothing: each swimmer of frequencies.json has its own period' beadswim-layout vary frequencies.json --over period=1000,2000
+refuses '"period" changes no swimmer: each swimmer of frequencies.json has its own period' beadswim-layout vary frequencies.json --over period=1000,2000
 accepts beadswim-layout vary frequencies.json --over amplitude=1,2
 jq 'del(.swimmers[4].driving.period)' frequencies.json >followed.json
 accepts beadswim-layout vary followed.json --over period=1000

@@ -79,11 +79,11 @@ void require_effect(const Json& layout, const std::string& name, const std::stri
                     const std::string& flag) {
   const Json& swimmers = layout["swimmers"];
   if (!std::ranges::all_of(swimmers, [&](const Json& swimmer) { return has_own(swimmer, name); })) return;
-  throw InputError(flag,
-                   fmt::format("\"{0}\" changes nothing: each swimmer of {1} has its own {0}, which stays; "
-                               "remove it from the swimmers, or name one by a JSON pointer, such as "
-                               "/swimmers/0/driving/{0}",
-                               name, source));
+  throw InputError(
+      flag, fmt::format("\"{0}\" changes no swimmer: each swimmer of {1} has its own {0}, which stays; "
+                        "remove it from the swimmers, or name one by a JSON pointer, such as "
+                        "/swimmers/0/driving/{0}",
+                        name, source));
 }
 
 /// Replaces types and fluid of the layout by those with the values of flags.

@@ -68,7 +68,7 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
       ->allow_extra_args(false);
   add_objective(*program, "--maximise", flags.maximise, "Result that is to be as large as possible");
   add_objective(*program, "--minimise", flags.minimise,
-                "Result that is to be as small as possible, with its sign");
+                "Result that is to be as small as possible; velocity: with its sign");
   program
       ->add_option(
           "--subject-to", flags.constraints,

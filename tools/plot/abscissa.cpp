@@ -11,13 +11,18 @@
 namespace beadswim {
 namespace {
 
+/// Returns the smallest bead radius of the scene or, in an older record without it, of a lattice run.
+double smallest_radius(const PlottedRun& run) {
+  if (run.record.scene) return smallest_radius(*run.record.scene);
+  if (const auto& resolution = run.record.resolution)
+    return resolution->cells_per_radius * resolution->cell_size;
+  throw InputError(
+      run.source,
+      "the run record lacks the bead radius, which is needed for the separation ratio l/λ; leave "
+      "this file out");
+}
+
 double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const CycleChoice& choice) {
-  const auto& resolution = run.record.resolution;
-  if (!resolution) {
-    throw InputError(run.source,
-                     "the run record lacks the bead radius, which is needed for the separation ratio l/λ; "
-                     "leave this file out");
-  }
   const auto cycles = select_cycles(swimmer.cycles, choice, run.source);
   std::array<double, 2> arms{};
   for (const CycleStatistics& cycle : cycles) {
@@ -25,8 +30,7 @@ double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const 
       throw InputError(run.source, "the swimmer does not have two arms; leave this file out");
     for (std::size_t arm = 0; arm < 2; ++arm) arms[arm] += cycle.arm_means[arm];
   }
-  const double radius = resolution->cells_per_radius * resolution->cell_size;
-  return std::min(arms[0], arms[1]) / static_cast<double>(cycles.size()) / radius;
+  return std::min(arms[0], arms[1]) / static_cast<double>(cycles.size()) / smallest_radius(run);
 }
 
 /// Returns the ratio A/B of the driving amplitudes or the driving phase α; nullopt if the record contains no

@@ -38,7 +38,8 @@ struct SpeedFlags {
 /// Reference values for the errors of runs: a prediction for one swimmer, or all swimmers of a run.
 struct ErrorReference {
   std::string name;
-  std::vector<ComparedValues> swimmers;  ///< one element for all swimmers, or one per swimmer of a run
+  std::optional<int> swimmer{};          ///< id of the only swimmer of a prediction; nullopt: all swimmers
+  std::vector<ComparedValues> swimmers;  ///< of the only swimmer, or of all swimmers
   std::map<ComparedQuantity, double> uncertainty;  ///< relative; contains only known uncertainties
 };
 
@@ -55,14 +56,9 @@ struct OtherDocument {
   SwimmingDocument document;
 };
 
-/// Returns the differences between the scenes of a run and of another document. A single swimmer may be
-/// anywhere, because runs at several positions within a lattice cell are drawn as one point.
+/// Returns the differences between the scenes of a run and of another document.
 std::vector<SceneDifference> differences_between(const RunRecord& run, const SwimmingDocument& other) {
   std::vector<SceneDifference> differences = scene_differences(run, other);
-  if (run.swimmers.size() == 1)
-    std::erase_if(differences, [](const SceneDifference& difference) {
-      return difference.property == SceneProperty::placing;
-    });
   if (std::holds_alternative<RunRecord>(other))  // a scene can have more swimmers than its record lists
     add_differences(differences, {{SceneProperty::swimmers, swimmers_value(swimmers_of(run))}},
                     {{SceneProperty::swimmers, swimmers_value(swimmers_of(other))}});
@@ -106,8 +102,10 @@ ErrorReference reference_of(const PlottedRun& run, const CycleChoice& cycle) {
 
 /// Returns the velocity and stroke of a prediction as the reference for errors.
 ErrorReference reference_of(const PlottedPrediction& best) {
-  ErrorReference reference{
-      .name = best.prediction.method, .swimmers = {swimming_of(best.prediction)}, .uncertainty = {}};
+  ErrorReference reference{.name = best.prediction.method,
+                           .swimmer = best.swimmer,
+                           .swimmers = {swimming_of(best.prediction)},
+                           .uncertainty = {}};
   if (const auto& velocity = best.prediction.uncertainty)
     reference.uncertainty[ComparedQuantity::velocity] = *velocity;
   if (const auto& stroke = best.prediction.stroke_uncertainty) {
@@ -253,13 +251,27 @@ void require_same_arms(const PlottedRun& run, const std::vector<ComparedValues>&
     return values.at(ComparedQuantity::arm_amplitudes).size();
   };
   for (std::size_t s = 0; s < swimmers.size(); ++s) {
-    const ComparedValues& expected = reference.swimmers[reference.swimmers.size() == 1 ? 0 : s];
-    if (arms(expected) == arms(swimmers[s])) continue;
+    if (arms(reference.swimmers[s]) == arms(swimmers[s])) continue;
     throw InputError(run.source, fmt::format("swimmer {} has {} arms, but {} in the reference ({}); give the "
                                              "reference of this scene",
-                                             run.record.swimmers[s].id, arms(swimmers[s]), arms(expected),
-                                             reference.name));
+                                             reference.swimmer.value_or(run.record.swimmers[s].id),
+                                             arms(swimmers[s]), arms(reference.swimmers[s]), reference.name));
   }
+}
+
+/// Returns velocity and stroke of the swimmers of which the reference contains values.
+std::vector<ComparedValues> swimming_of(const PlottedRun& run, const ErrorReference& reference,
+                                        const CycleChoice& cycle) {
+  std::vector<ComparedValues> swimmers;
+  if (reference.swimmer) {
+    const SwimmerRecord& only = find_swimmer(run.record, *reference.swimmer, run.source);
+    swimmers.push_back(swimming_of(run.record, only, cycle, run.source));
+  } else {
+    for (const SwimmerRecord& swimmer : run.record.swimmers)
+      swimmers.push_back(swimming_of(run.record, swimmer, cycle, run.source));
+  }
+  require_same_arms(run, swimmers, reference);
+  return swimmers;
 }
 
 std::vector<CostedRun> costed_runs(const ComparedScene& scene, const CycleChoice& cycle) {
@@ -277,9 +289,7 @@ std::vector<CostedRun> costed_runs(const ComparedScene& scene, const CycleChoice
     if (same_setting != runs.end())
       require_same_corrections(run, *plotted[static_cast<std::size_t>(same_setting - runs.begin())]);
     costed.cost = cost_of(run);
-    for (const SwimmerRecord& swimmer : run.record.swimmers)
-      costed.swimmers.push_back(swimming_of(run.record, swimmer, cycle, run.source));
-    require_same_arms(run, costed.swimmers, scene.reference);
+    costed.swimmers = swimming_of(run, scene.reference, cycle);
     runs.push_back(std::move(costed));
   }
   return runs;

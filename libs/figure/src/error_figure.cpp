@@ -21,7 +21,8 @@ void require_plottable(const ErrorPoint& point, const std::string& quantity, con
   throw InputError(
       point.source,
       fmt::format("the run has an error of {:g} in the {} and a cost of {:g} {}, but a logarithmic axis "
-                  "needs positive finite numbers; leave this file out if it is the reference itself",
+                  "needs positive finite numbers; leave this file out if it is the reference itself, or draw "
+                  "another quantity",
                   point.error, quantity, point.cost, cost));
 }
 

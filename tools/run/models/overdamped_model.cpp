@@ -212,8 +212,8 @@ std::vector<RunWarning> OverdampedModel::warnings() const {
       warnings.push_back(
           {"wall-approach",
            fmt::format("the height of a bead over the wall fell to {:.3g} radii, where its mobility has an "
-                       "error of up to {}; the expected error, for the height of {:.3g} radii at rest, does "
-                       "not contain it; compare this run with {}",
+                       "error of up to {}; an expected error is for the height of {:.3g} radii at rest; "
+                       "compare this run with {}",
                        height, in_percent(error), *plan_.height_at_rest,
                        is_best ? lattice_over_wall : "--model multipole --multipole-order 2")});
   }

@@ -17,10 +17,12 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
   request.settings = options.settings;
   request.has_advice = options.plan;
   if (options.settings.model != RunModel::automatic) request.model = options.settings.model;
-  if (options.given.contains("--precision")) request.precision = options.settings.lattice.precision;
-  if (!options.given.contains("--refine")) request.settings.lattice.refinement.reset();
-  if (options.given.contains("--multipole-order"))
-    request.multipole_order = options.settings.mobility.multipole_order;
+  const auto is_fixed = [&](const char* flag) {  // a restart continues with the settings of its checkpoint
+    return !options.restart.empty() || options.given.contains(flag);
+  };
+  if (is_fixed("--precision")) request.precision = options.settings.lattice.precision;
+  if (!is_fixed("--refine")) request.settings.lattice.refinement.reset();
+  if (is_fixed("--multipole-order")) request.multipole_order = options.settings.mobility.multipole_order;
   request.tolerance = options.tolerance;
   request.require_choices_apply = [&options](const RunSettings& settings) {
     refuse_flags_of_other_models(options, settings.model);
@@ -81,9 +83,11 @@ const PlannedRun& choose_run(const RunPlan& plan, const RunOptions& options) {
   throw InputError(
       "--tolerance",
       fmt::format("no run has an expected error within {}; the run with the smallest expected error, {}, has "
-                  "an expected error of {}: raise the tolerance to that value, leave out flags that exclude "
-                  "other runs, or change the scene as --plan proposes",
-                  in_percent(plan.tolerance), flags_of(best, options), in_percent(best.error.largest())));
+                  "an expected error of {}: raise the tolerance to that value{}",
+                  in_percent(plan.tolerance), flags_of(best, options), in_percent(best.error.largest()),
+                  options.restart.empty()
+                      ? ", leave out flags that exclude other runs, or change the scene as --plan proposes"
+                      : ""));
 }
 
 }  // namespace beadswim

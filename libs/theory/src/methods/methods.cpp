@@ -120,12 +120,14 @@ std::vector<std::string> methods_for_shapes() {
 }
 
 Prediction predict(const Method& method, const ShapeQuestion& question) {
+  const bool is_in_open_space = !question.swimmer.half_space && question.swimmer.flow.is_zero();
   if (method.predict_shape == nullptr)
     throw InputError(
         method.name,
         fmt::format("this method treats three beads on a line with the driving forces of the paper "
                     "only, in fluid at rest without half-space; methods for this swimmer are {}",
-                    fmt::join(methods_for_shapes(), ", ")));
+                    is_in_open_space ? fmt::format("{}", fmt::join(methods_for_shapes(), ", "))
+                                     : "oseen-ode and rpy-ode"));
   Prediction prediction = method.predict_shape(question);
   prediction.method = method.name;
   return prediction;
