@@ -28,6 +28,9 @@ refuses 'base.json with /domain=1, radius=3:/domain: 1.0: the value must be of t
 beadswim-layout shape purcell-chain --unbounded >chain.json
 accepts beadswim-layout vary chain.json --over /types/purcell-chain/beads/0/radius=1,1.5
 beadswim-layout vary base.json --over period=1000,2000 >two.jsonl
+beadswim-layout vary base.json --over /flow/velocity_gradient/0/2=0,1e-6 >sheared.jsonl
+accepts beadswim-layout vary sheared.jsonl --over /flow/velocity_gradient/1/2=0,1e-6
+check 'a flow that is left out is zero' holds -s 'map([.flow.velocity_gradient // [[0, 0, 0], [0, 0, 0]] | .[0][2], .[1][2]]) == [[0, 0], [0, 1e-6], [1e-6, 0], [1e-6, 1e-6]]' out
 accepts beadswim-layout vary two.jsonl --over radius=3,4
 check 'a filter of streams' holds -s 'map([.study.period, .study.radius]) == [[1000, 3], [1000, 4], [2000, 3], [2000, 4]]' out
 # Overrides of single swimmers stay.

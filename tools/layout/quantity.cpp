@@ -10,6 +10,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
+#include "beadswim/io/box_json.hpp"
 #include "beadswim/tools/program.hpp"
 #include "swimmer_flags.hpp"
 
@@ -61,6 +62,12 @@ Json& value_at(Json& layout, const std::string& pointer, const std::string& sour
                                        "word in it",
                                        pointer));
   return *place;
+}
+
+/// Adds the flow or body force to which a JSON pointer leads, zero, if the layout lacks it.
+void add_left_out(Json& layout, const std::string& pointer) {
+  if (pointer.starts_with("/flow/") && !layout.contains("flow")) layout["flow"] = BackgroundFlow{};
+  if (pointer.starts_with("/body_force/") && !layout.contains("body_force")) layout["body_force"] = {0, 0, 0};
 }
 
 /// Returns true if the driving of a swimmer in a layout document has the quantity, instead of its type.
@@ -138,6 +145,7 @@ LayoutDocument with_values(const Json& layout, const StudyPoint& point, const st
         value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
     values += fmt::format("{}{}={}", values.empty() ? "" : ", ", name, text);
     if (is_pointer(name)) {
+      add_left_out(json, name);
       Json& place = value_at(json, name, source, flag);
       const bool is_whole = place.is_number_integer() && value.is_number() &&
                             std::trunc(value.get<double>()) == value.get<double>() &&

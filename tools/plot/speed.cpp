@@ -57,7 +57,7 @@ struct OtherDocument {
 };
 
 /// Returns the differences between the scenes of a run and of another document.
-std::vector<SceneDifference> differences_between(const RunRecord& run, const SwimmingDocument& other) {
+std::vector<SceneDifference> find_differences(const RunRecord& run, const SwimmingDocument& other) {
   std::vector<SceneDifference> differences = scene_differences(run, other);
   if (std::holds_alternative<RunRecord>(other))  // a scene can have more swimmers than its record lists
     add_differences(differences, {{SceneProperty::swimmers, swimmers_value(swimmers_of(run))}},
@@ -67,7 +67,7 @@ std::vector<SceneDifference> differences_between(const RunRecord& run, const Swi
 
 void require_one_scene(const PlottedRun& run, const OtherDocument& other) {
   std::vector<std::string> words;
-  for (const SceneDifference& difference : differences_between(run.record, other.document))
+  for (const SceneDifference& difference : find_differences(run.record, other.document))
     words.push_back(in_words(difference));
   if (words.empty()) return;
   throw InputError(other.source, fmt::format("the scene differs from the scene of {}: {}; all files of this "
@@ -160,7 +160,7 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
   const OtherDocument reference = document_of(read);
   ComparedScene scene;
   for (const PlottedRun& run : inputs.runs)
-    if (!has_several_scenes || differences_between(run.record, reference.document).empty())
+    if (!has_several_scenes || find_differences(run.record, reference.document).empty())
       scene.runs.push_back(&run);
   if (scene.runs.empty())
     throw InputError(file,

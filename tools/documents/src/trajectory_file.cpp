@@ -81,7 +81,7 @@ std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader
 
 /// Returns the number of cycles that a swimmer has completed after `base_cycles` cycles of the base period.
 /// `period`: its driving period; nullopt: the base period.
-int cycles_completed(double base_period, std::size_t base_cycles, std::optional<double> period) {
+int count_cycles(double base_period, std::size_t base_cycles, std::optional<double> period) {
   constexpr double roundoff = 1e-9;  // of quotients that are whole numbers
   const double cycles = static_cast<double>(base_cycles) * (period ? base_period / *period : 1);
   return static_cast<int>(cycles * (1 + roundoff));
@@ -150,7 +150,7 @@ RunRecord run_of_trajectory(const std::string& path) {
     for (std::size_t s = 0; s < statistics.size(); ++s) {
       if (std::isnan(statistics[s].velocity[0])) continue;  // has not completed a cycle
       SwimmerRecord& swimmer = record.swimmers[s];
-      const int index = cycles_completed(record.driving.period, c + 1, swimmer.period);
+      const int index = count_cycles(record.driving.period, c + 1, swimmer.period);
       if (!swimmer.cycles.empty() && swimmer.cycles.back().index == index) continue;  // the same cycle again
       CycleStatistics& cycle = swimmer.cycles.emplace_back(statistics[s]);
       cycle.index = index;
