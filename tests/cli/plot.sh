@@ -320,6 +320,8 @@ refuses 'edited.json: the scene differs from the scene of staged.jsonl line 1: d
   beadswim-plot speed-against-error staged.jsonl --reference edited.json
 edited_stage 'del(.scene) | .swimmers[].cycles[] |= (.arm_amplitudes += [1] | .arm_phases += [1] | .arm_means += [20])'
 refuses 'staged.jsonl line 1: swimmer 0 has 2 arms, but 3 in the reference' beadswim-plot speed-against-error staged.jsonl --reference edited.json
+jq -c 'select(.model == "rpy")' "$BEADSWIM_SOURCE/docs/results/speed-against-error/swimmer.jsonl" >mobility.json
+accepts beadswim-plot separation mobility.json   # the bead radius is that of the scene
 # The cost is per base period that the run has completed, also of a part of a cycle.
 csv_cost() { jq -c ".cost.cycles = $1 | .cost.core_seconds = 12" stage.json >costed.json
   run beadswim-plot speed-against-error costed.json --reference staged.json --quantity velocity -o x.svg --data - && awk -F, 'END { print $(NF - 2) }' out; }

@@ -25,7 +25,7 @@ void require_success(const SwimmingDocument& document, const std::string& source
 
 /// Returns the differences between the scenes of run and reference. Throws InputError if the units differ, or
 /// if --allow-difference does not name one of the differences.
-std::vector<SceneDifference> require_same_scene(const RunFile& run, const ReferenceFile& reference,
+std::vector<SceneDifference> require_same_scene(const RunFile& run, const SourceDocument& reference,
                                                 const std::vector<SceneProperty>& allowed) {
   if (!same_units(run.record.units, units_of(reference.document))) {
     throw InputError(reference.source, fmt::format("the reference has other units of length, time or mass "
@@ -57,7 +57,7 @@ void append(std::vector<SceneDifference>& all, const std::vector<SceneDifference
 
 /// Returns the references for a swimmer that one file contains: one reference for a run record, one per
 /// method for predictions.
-std::vector<Reference> references_for(int swimmer, const ReferenceFile& file, const CycleChoice& cycle) {
+std::vector<Reference> references_for(int swimmer, const SourceDocument& file, const CycleChoice& cycle) {
   if (const auto* run = std::get_if<RunRecord>(&file.document)) {
     const SwimmerRecord& record = find_swimmer(*run, swimmer, file.source);
     return {Reference{.source = file.source,
@@ -89,7 +89,7 @@ struct References {
 References references_for(int swimmer, const ComparisonInputs& inputs, const CycleChoice& cycle) {
   References references{references_for(swimmer, inputs.references.front(), cycle)};
   references.own = references.all.size();
-  for (const ReferenceFile& file : std::span(inputs.references).subspan(1)) {
+  for (const SourceDocument& file : std::span(inputs.references).subspan(1)) {
     const std::vector<Reference> more = references_for(swimmer, file, cycle);
     references.all.insert(references.all.end(), more.begin(), more.end());
   }
@@ -165,10 +165,10 @@ VerdictDocument compare(const ComparisonInputs& inputs, const ComparisonRequest&
   VerdictDocument result;
   std::vector<std::optional<RunCost>> costs;
   for (const RunFile& run : inputs.runs) require_success(run.record, run.source);
-  for (const ReferenceFile& reference : inputs.references)
+  for (const SourceDocument& reference : inputs.references)
     require_success(reference.document, reference.source);
   for (const RunFile& run : inputs.runs) {
-    for (const ReferenceFile& reference : inputs.references)
+    for (const SourceDocument& reference : inputs.references)
       append(result.scene_differences, require_same_scene(run, reference, request.allowed_differences));
     costs.push_back(run.record.cost);
   }

@@ -31,14 +31,9 @@ struct RunFile {
   RunRecord record;
 };
 
-struct ReferenceFile {
-  std::string source;
-  SwimmingDocument document;
-};
-
 struct ComparisonInputs {
   std::vector<RunFile> runs;
-  std::vector<ReferenceFile> references;  ///< the file REFERENCE, then the files of --reference
+  std::vector<SourceDocument> references;  ///< the file REFERENCE, then the files of --reference
 };
 
 /// Compares each run with every reference. If the reference is a prediction, the swimmer of the prediction is

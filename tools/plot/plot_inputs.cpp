@@ -23,11 +23,6 @@ bool contains(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-struct SourceDocument {
-  std::string source;
-  SwimmingDocument document;
-};
-
 void require_same_units(const std::vector<SourceDocument>& documents) {
   const SourceDocument& first = documents.front();
   for (const SourceDocument& other : documents) {

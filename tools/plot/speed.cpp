@@ -50,12 +50,6 @@ struct ComparedScene {
   std::vector<const PlottedRun*> runs;
 };
 
-/// A run or a prediction with which the scenes of runs are compared.
-struct OtherDocument {
-  std::string source;
-  SwimmingDocument document;
-};
-
 /// Returns the differences between the scenes of a run and of another document.
 std::vector<SceneDifference> find_differences(const RunRecord& run, const SwimmingDocument& other) {
   std::vector<SceneDifference> differences = scene_differences(run, other);
@@ -65,7 +59,7 @@ std::vector<SceneDifference> find_differences(const RunRecord& run, const Swimmi
   return differences;
 }
 
-void require_one_scene(const PlottedRun& run, const OtherDocument& other) {
+void require_one_scene(const PlottedRun& run, const SourceDocument& other) {
   std::vector<std::string> words;
   for (const SceneDifference& difference : find_differences(run.record, other.document))
     words.push_back(in_words(difference));
@@ -128,7 +122,7 @@ std::string scene_title(const RunRecord& record) {
 }
 
 /// Returns the only run or prediction that a file of a reference contains.
-OtherDocument document_of(const PlotInputs& read) {
+SourceDocument document_of(const PlotInputs& read) {
   if (!read.runs.empty()) return {read.runs.front().source, read.runs.front().record};
   const PlottedPrediction& only = read.predictions.front();
   return {only.source, PredictionDocument{.units = read.units,
@@ -157,7 +151,7 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
         file,
         fmt::format("the units of the reference differ from the units of {}; make both files from one layout",
                     inputs.runs.front().source));
-  const OtherDocument reference = document_of(read);
+  const SourceDocument reference = document_of(read);
   ComparedScene scene;
   for (const PlottedRun& run : inputs.runs)
     if (!has_several_scenes || find_differences(run.record, reference.document).empty())
@@ -277,7 +271,7 @@ std::vector<ComparedValues> swimming_of(const PlottedRun& run, const ErrorRefere
 std::vector<CostedRun> costed_runs(const ComparedScene& scene, const CycleChoice& cycle) {
   std::vector<CostedRun> runs;
   const std::vector<const PlottedRun*>& plotted = scene.runs;
-  const OtherDocument first{plotted.front()->source, plotted.front()->record};
+  const SourceDocument first{plotted.front()->source, plotted.front()->record};
   for (const PlottedRun* each : plotted) {
     const PlottedRun& run = *each;
     CostedRun costed{.source = run.source, .setting = setting_name(run.record), .swimmers = {}};

@@ -17,6 +17,12 @@ namespace beadswim {
 /// A run record or a prediction document.
 using SwimmingDocument = std::variant<RunRecord, PredictionDocument>;
 
+/// A run record or a prediction document, and the name of its file in messages.
+struct SourceDocument {
+  std::string source;
+  SwimmingDocument document;
+};
+
 /// Returns the name of a file for messages: `path`, or "standard input" if `path` is "-".
 std::string source_name(const std::string& path);
 
