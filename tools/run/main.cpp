@@ -21,9 +21,8 @@ using namespace beadswim;
 /// Implements the flag --plan: prints expected errors and costs of all possible runs. Throws InputError if no
 /// run has an expected error within the tolerance. Collective.
 int report_plan(const LayoutDocument& document, const Request& request, const Communicator& communicator) {
-  RunPlan plan =
+  const RunPlan plan =
       plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
-  if (!request.options.restart.empty()) plan.proposals.clear();  // a restart cannot change its scene
   if (communicator.is_root()) {
     print_to_stderr(plan_table(plan, request.options, communicator));
     write_text("-", dump_json(plan_to_json(plan, request.options, communicator)));

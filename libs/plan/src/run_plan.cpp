@@ -160,7 +160,7 @@ RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::st
   choose(plan, communicator);
   if (!request.has_advice) return plan;
   add_hard_cases(plan, facts);
-  add_proposals(plan, layout, facts);
+  if (request.may_change_scene) add_proposals(plan, layout, facts);
   return plan;
 }
 

@@ -17,9 +17,9 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
   request.settings = options.settings;
   request.has_advice = options.plan;
   if (options.settings.model != RunModel::automatic) request.model = options.settings.model;
-  const auto is_fixed = [&](const char* flag) {  // a restart continues with the settings of its checkpoint
-    return !options.restart.empty() || options.given.contains(flag);
-  };
+  const bool is_restart = !options.restart.empty();  // with the scene and the settings of its checkpoint
+  request.may_change_scene = !is_restart;
+  const auto is_fixed = [&](const char* flag) { return is_restart || options.given.contains(flag); };
   if (is_fixed("--precision")) request.precision = options.settings.lattice.precision;
   if (!is_fixed("--refine")) request.settings.lattice.refinement.reset();
   if (is_fixed("--multipole-order")) request.multipole_order = options.settings.mobility.multipole_order;

@@ -55,6 +55,16 @@ void add_power(const Method& method, const CollinearSwimmer& swimmer, Prediction
   prediction.settings.emplace_back("towing_drag", *drag);
 }
 
+/// Returns the names of the methods that treat the swimmer, in the order of methods().
+std::vector<std::string> methods_for(const ShapedSwimmer& swimmer) {
+  const bool is_in_open_space = !swimmer.half_space && swimmer.flow.is_zero();
+  std::vector<std::string> names;
+  for (const Method& method : methods())
+    if (method.predict_shape != nullptr && (is_in_open_space || method.treats_flow))
+      names.push_back(method.name);
+  return names;
+}
+
 }  // namespace
 
 const std::vector<Method>& methods() {
@@ -73,8 +83,8 @@ const std::vector<Method>& methods() {
       {"oseen-perturbation", driving, overlap_obstacle, predict_oseen_perturbation, oseen_drag, predict_oseen_perturbation_of_shape},
       {"rpy-perturbation", driving, overlap_obstacle, predict_rpy_perturbation, rpy_drag, predict_rpy_perturbation_of_shape},
       {"multipole-perturbation", driving, exact_obstacle, predict_multipole_perturbation, exact_drag},
-      {"oseen-ode", driving, overlap_obstacle, predict_oseen_ode, oseen_drag, predict_oseen_ode_of_shape},
-      {"rpy-ode", driving, overlap_obstacle, predict_rpy_ode, rpy_drag, predict_rpy_ode_of_shape},
+      {"oseen-ode", driving, overlap_obstacle, predict_oseen_ode, oseen_drag, predict_oseen_ode_of_shape, true},
+      {"rpy-ode", driving, overlap_obstacle, predict_rpy_ode, rpy_drag, predict_rpy_ode_of_shape, true},
       {"multipole-ode", driving, exact_obstacle, predict_multipole_ode, exact_drag},
       {"rpy-box-perturbation", driving_in_box, box_obstacle, predict_rpy_box_perturbation, rpy_drag},
       {"rpy-box-ode", driving_in_box, box_obstacle, predict_rpy_box_ode, rpy_drag},
@@ -111,23 +121,13 @@ std::optional<double> lighthill_efficiency(double drag, double velocity, double 
   return power > 0 ? std::optional(drag * velocity * velocity / power) : std::nullopt;
 }
 
-std::vector<std::string> methods_for_shapes() {
-  std::vector<std::string> names;
-  for (const Method& method : methods()) {
-    if (method.predict_shape != nullptr) names.push_back(method.name);
-  }
-  return names;
-}
-
 Prediction predict(const Method& method, const ShapeQuestion& question) {
-  const bool is_in_open_space = !question.swimmer.half_space && question.swimmer.flow.is_zero();
   if (method.predict_shape == nullptr)
     throw InputError(
         method.name,
         fmt::format("this method treats three beads on a line with the driving forces of the paper "
                     "only, in fluid at rest without half-space; methods for this swimmer are {}",
-                    is_in_open_space ? fmt::format("{}", fmt::join(methods_for_shapes(), ", "))
-                                     : "oseen-ode and rpy-ode"));
+                    fmt::join(methods_for(question.swimmer), ", ")));
   Prediction prediction = method.predict_shape(question);
   prediction.method = method.name;
   return prediction;

@@ -10,13 +10,13 @@
 // mobility M of close beads exact along the lines between them, and that of beads over a plane no-slip wall
 // across it:
 //
-//   S = exp(sum over pairs p of log S_p + sum over walls w of log S_w) blockdiag(S_three),    v = S^T M S F
+//   S = exp(sum over pairs p of log S_p + sum over beads w of log S_w) blockdiag(S_three),    v = S^T M S F
 //
 //   F, v        forces on all beads, velocities of all beads
 //   S_three     map of the forces on three beads of a swimmer that stay on a line
 //   blockdiag   block-diagonal matrix with one S_three for each such swimmer, and 1 for other beads
 //   S_p         map of the forces on the two beads of a close pair p
-//   S_w         map of the force on a bead over a wall (wall_map.hpp)
+//   S_w         map of the force on the bead w over a wall (wall_map.hpp)
 //   S_line      matrix that maps the components of these three or two forces along the line of their beads
 //               (line_map.hpp)
 //   e           unit vector along this line
@@ -92,7 +92,7 @@ class NearMap {
   std::vector<std::pair<int, int>> link_ends_;  ///< per pair, the indices of its beads in linked_beads_
   std::vector<int> wall_ends_;                  ///< per wall link, the index of its bead in linked_beads_
   /// Number of factors by which exp(L) is evaluated, exp(L) = exp(L/parts_)^parts_, where L is the sum of log
-  /// S_p over all pairs p and of log S_w over all walls w. The norm of L/parts_ is at most 1.
+  /// S_p over all pairs p and of log S_w over all beads w. The norm of L/parts_ is at most 1.
   int parts_ = 1;
 };
 

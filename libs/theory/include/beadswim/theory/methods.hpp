@@ -25,6 +25,7 @@ struct Method {
   /// Returns the prediction for a swimmer of any shape; nullptr: the method is for three beads on a line
   /// only.
   Prediction (*predict_shape)(const ShapeQuestion& question) = nullptr;
+  bool treats_flow = false;  ///< predict_shape also treats a background flow and a half-space
 
   /// Returns whether the method uses a measured stroke.
   bool uses_stroke() const { return input == Input::stroke || input == Input::driving_or_stroke; }
@@ -46,9 +47,6 @@ std::optional<double> towing_drag(const Method& method, const CollinearSwimmer& 
 /// Returns the Lighthill efficiency D v^2/P; nullopt if the power P is not positive. `drag`: D [mass/time];
 /// `velocity`: v [length/time]; `power`: P [mass length^2/time^3].
 std::optional<double> lighthill_efficiency(double drag, double velocity, double power);
-
-/// Returns the names of the methods that treat swimmers of any shape.
-std::vector<std::string> methods_for_shapes();
 
 /// Returns the prediction for a swimmer of any shape, with the mean power of the drives and the Lighthill
 /// efficiency of the motion along its axis. Throws InputError with the reason if the method cannot treat the
