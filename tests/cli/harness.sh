@@ -13,7 +13,7 @@
 #                            matches REGEX and begins with the name of the program
 #   same_bytes A B           checks that two shell commands, given as text, write the same bytes, and not nothing
 #   skip REASON              ends the script as skipped
-#   finish                   ends the script, with exit status 1 if a check failed
+#   finish                   ends the script, with exit status 1 if a check failed; must be its last line
 #
 # Each script runs in an empty folder of its own, which is removed at the end.
 
@@ -24,6 +24,7 @@ failures=0
 status=0
 command_line=
 
+this_script=$(realpath "$0")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
@@ -106,6 +107,7 @@ skip() {
 }
 
 finish() {
+  check "checks below finish are never made" test "$(tail -n 1 "$this_script")" = finish
   echo "$((checks - failures)) of $checks checks passed"
   [ "$failures" -eq 0 ]
   exit
