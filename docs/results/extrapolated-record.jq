@@ -1,5 +1,6 @@
 # Extrapolates run records of one scene to zero cell size, and prints a run record:  jq -s -f extrapolated-record.jq RECORDS
-# Each bead boundary has two or more records with different cells. Errors are assumed proportional to the square of the cell size.
+# Each bead boundary has two or more records with different cells. Records with equal cells, for beads at different places within
+# cells, are averaged. Errors are assumed proportional to the square of the cell size.
 # The result is the extrapolation of the coarsest and the finest record; with two bead boundaries it is the mean of both. The
 # uncertainty of a swimmer is the largest change to the result from an extrapolation, also of a record in between with the finest,
 # or from a finest record, of the velocity along the axis and of both arms.
@@ -17,7 +18,12 @@ def limit($s; $coarse; $fine): ($fine.resolution.cells_per_radius / $coarse.reso
   | [$coarse, $fine | .swimmers[$s].cycles[-1]] as [$c, $f]
   | $f | with([$c, $f | numbers] | combined(.[1] + (.[1] - .[0]) / ($square - 1)));
 
-(group_by(.resolution.bead_boundary) | map(sort_by(.resolution.cells_per_radius))) as $groups
+# Returns the mean of records with equal resolution.
+def averaged: . as $records | $records[0] | .swimmers = [range(.swimmers | length) as $s
+  | [$records[].swimmers[$s].cycles[-1]] as $cycles
+  | $records[0].swimmers[$s] + {cycles: [$cycles[0] | with($cycles | map(numbers) | combined(mean))]}];
+
+(group_by(.resolution.bead_boundary) | map(group_by(.resolution.cells_per_radius) | map(averaged))) as $groups
 | ($groups | map(.[-1])) as $fine
 | $fine[0]
 | .swimmers = [range(.swimmers | length) as $s

@@ -1,9 +1,8 @@
 #!/bin/bash
 # Makes the records of docs/speed-against-error.md: runs of four scenes with different models, resolutions, bead boundaries,
-# precisions, relaxation times and levels of cells, one run at a time on one rank. The references of nine and 540 swimmers run
-# on two ranks.
+# precisions, relaxation times and levels of cells, one run at a time on one rank. The reference of nine swimmers runs on two ranks.
 #   docs/results/speed-against-error.sh FOLDER [SCENE...]     (the programs on PATH)
-# SCENE: swimmer (15 minutes), cell (10), nine (20), many (90); default: all. Writes for each scene FOLDER/SCENE.jsonl, one record
+# SCENE: swimmer (15 minutes), cell (10), nine (20), many (180); default: all. Writes for each scene FOLDER/SCENE.jsonl, one record
 # per line with the last cycle only, and the reference, FOLDER/SCENE-reference.json. "cell" is the unit cell of the paper's
 # uniform swarm; "many" are 540 swimmers. The reference of the swimmer is made from runs of resolution.sh.
 set -euo pipefail
@@ -17,10 +16,10 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 is_wanted() { [[ ${scenes[0]} == all || " ${scenes[*]} " == *" $1 "* ]]; }
 
-# Displaces the swimmer of a layout to the N-th position of a sequence that fills a lattice cell evenly.
+# Displaces all swimmers of a layout by the N-th vector of a sequence that fills a lattice cell evenly; N = 0: by nothing.
 placed() { # CELL N
-  jq --argjson cell "$1" --argjson n "$2" '.swimmers[0].position |= (. as $p | [0.8191725, 0.6710436, 0.5497005]
-    | to_entries | map($p[.key] + $cell * (.value * $n | . - floor)))'
+  jq --argjson cell "$1" --argjson n "$2" '([0.8191725, 0.6710436, 0.5497005] | map($cell * (. * $n | . - floor))) as $d
+    | .swimmers[].position |= ([., $d] | transpose | map(add))'
 }
 
 swimmer() { # CELLS-PER-RADIUS N
@@ -33,9 +32,10 @@ cell() { # CELLS-PER-RADIUS N
 nine() { # the paper's defect swarm; the arguments are not used: beads of different swimmers lie differently in their cells
   beadswim-layout swarm --preset paper-defect
 }
-many() { # the paper's uniform swarm, disturbed
+many() { # CELLS-PER-RADIUS N   the paper's uniform swarm, disturbed; N: from 1
   beadswim-layout swarm --preset paper-uniform --block-swimmers 1,3,3 --blocks 5,4,3 |
-    beadswim-layout defect phase --sigma 0.3 --seed 1 | beadswim-layout defect jitter --sigma 1 --seed 2
+    beadswim-layout defect phase --sigma 0.3 --seed 1 | beadswim-layout defect jitter --sigma 1 --seed 2 |
+    placed "$(jq -n "6 / $1")" $(($2 - 1))
 }
 
 # Prints a record with its last cycle only. Records of more than 64 swimmers get every 27th swimmer of the trajectory.
@@ -115,14 +115,6 @@ if is_wanted swimmer; then
   } | jq -sc -f "$results/extrapolated-record.jq" >swimmer-reference.json
 fi
 
-# Runs finer resolutions on two ranks and extrapolates them and a coarser run, for the reference of a scene.
-extrapolate() { # SCENE CYCLES FINE...   standard input: record of the coarser run
-  local cells
-  { cat; for cells in "${@:3}"; do ranks=2 on_lattice "$1" "$2" "$cells" 1 --relaxation-time 0.8 --precision single; done; } \
-    >"$1-reference.jsonl"
-  jq -sc -f "$results/extrapolated-record.jq" "$1-reference.jsonl" >"$1-reference.json"
-}
-
 if is_wanted nine; then
   {
     models nine 3
@@ -133,7 +125,8 @@ if is_wanted nine; then
     for cells in 2 3 4.5; do times nine 3 1 $cells 1 --precision single; done
     for cells in 3 4.5; do times nine 3 1 $cells 1 --refine 1; done
   } >nine.jsonl
-  ranks=2 on_lattice nine 3 4.5 1 --relaxation-time 0.8 --precision single | extrapolate nine 3 6
+  for cells in 4.5 6; do ranks=2 times nine 3 1 $cells 0.8 --precision single; done |
+    jq -sc -f "$results/extrapolated-record.jq" >nine-reference.json
 fi
 
 if is_wanted many; then
@@ -141,10 +134,13 @@ if is_wanted many; then
     models many 3
     for time in 1 2; do times many 3 1 2 $time --precision single; done
     for scheme in staircase cli psm; do times many 3 1 3 1.5 --precision single --bead-boundary $scheme; done
-    for time in 0.8 1 1.5; do times many 3 1 3 $time --precision single; done
+    for time in 1 1.5; do times many 3 1 3 $time --precision single; done
     for cells in 2 3; do times many 3 1 $cells 1 --precision double; done
     times many 3 1 3 1 --precision single --refine 1
+    times many 3 3 3 0.8 --precision single
+    times many 3 2 4 0.8 --precision single
     times many 3 1 5 0.8 --precision single
   } >many.jsonl
-  jq -c 'select((.resolution.relaxation_time | . and . > 0.7 and . < 0.9) and .resolution.cells_per_radius == 3)' many.jsonl | extrapolate many 3 4 5
+  jq -c 'select(.resolution.relaxation_time | . and . > 0.7 and . < 0.9)' many.jsonl |
+    jq -sc -f "$results/extrapolated-record.jq" >many-reference.json
 fi

@@ -21,6 +21,7 @@ check "more cells cost more and err less" holds '[.runs[] | select(.resolution.r
   | (map(.cost.core_seconds) | . == sort) and (map(.error.velocity) | . == (sort | reverse))' plan.json
 check "shorter steps cost more and err less" holds '[.runs[] | select(.resolution.cells_per_radius == 3 and .resolution.precision == "double")]
   | (map(.cost.core_seconds) | . == (sort | reverse)) and (map(.error.velocity) | . == sort)' plan.json
+check "typical errors are within their limits" holds '[.runs[] | select(.error) | [.typical_error, .error] | map([.velocity] + .arm_amplitudes) | transpose[]] | length > 100 and all(0 < .[0] and .[0] < .[1])' plan.json
 check "the choice is the cheapest within 3 %" holds '.tolerance == 0.03 and (.choice as $choice
   | [.runs[] | select(.refused == null and ([.error.velocity] + .error.arm_amplitudes | max) <= 0.03)]
   | min_by(.cost.core_seconds).flags == $choice)' plan.json
@@ -70,7 +71,7 @@ run beadswim-run --restart run.h5md --cycles 5 --progress none
 has_status 2 # it kept no checkpoint
 
 check "the page has the results of the scenes that a seed has chosen" cmp -s \
-  <(jq -rs -f "$BEADSWIM_SOURCE/docs/results/plan-agreement.jq" "$BEADSWIM_SOURCE/docs/results/plan-agreement.jsonl" | grep '^Within\|^Predicted') \
+  <(jq -rs -f "$BEADSWIM_SOURCE/docs/results/plan-agreement.jq" "$BEADSWIM_SOURCE/docs/results/plan-agreement.jsonl" | grep '^Within\|^Predicted\|^Typical') \
   <(sed -n '/^<!-- from plan-agreement.jsonl -->$/,/^<!-- end -->$/p' "$BEADSWIM_SOURCE/docs/choosing-a-model.md" | sed '1d;$d')
 
 # --- memory and files are as large as it says

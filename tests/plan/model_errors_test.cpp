@@ -110,10 +110,10 @@ TEST(MobilityError, IsWhatTheModelMisses) {
   const BestPrediction best = best_prediction(question);
   const double exact = predict(find_method("multipole-ode"), question).velocity;
   const double pairs = predict(find_method("rpy-ode"), question).velocity;
-  EXPECT_NEAR(mobility_error(question, best, MobilityModel::rpy, {}).velocity, margin * (pairs / exact - 1),
-              0.01);
-  EXPECT_LT(mobility_error(question, best, MobilityModel::rpy_near, {}).velocity, 0.01);
-  EXPECT_GT(mobility_error(question, best, MobilityModel::oseen, {}).velocity, 0.2);
+  EXPECT_NEAR(mobility_error(question, best, MobilityModel::rpy, {}).limit.velocity,
+              margin * (pairs / exact - 1), 0.01);
+  EXPECT_LT(mobility_error(question, best, MobilityModel::rpy_near, {}).limit.velocity, 0.01);
+  EXPECT_GT(mobility_error(question, best, MobilityModel::oseen, {}).limit.velocity, 0.2);
 }
 
 // docs/speed-against-error.md: strokes of the swimmer without inertia are short by 2.9 and 4.2 % (rpy), 3.4
@@ -121,8 +121,8 @@ TEST(MobilityError, IsWhatTheModelMisses) {
 TEST(MobilityError, IsThatOfRunsOnRecord) {
   Question question = only_question(single(Vec3(60, 40, 40)));
   const BestPrediction best = best_prediction(question);
-  const ErrorEstimate pairs = mobility_error(question, best, MobilityModel::rpy, {});
-  const ErrorEstimate near = mobility_error(question, best, MobilityModel::rpy_near, {});
+  const ErrorEstimate pairs = mobility_error(question, best, MobilityModel::rpy, {}).limit;
+  const ErrorEstimate near = mobility_error(question, best, MobilityModel::rpy_near, {}).limit;
   const std::array<double, 2> theory = best.uncertainty.arm_amplitudes;
   constexpr double last_digit = 5e-4;
   EXPECT_NEAR((pairs.arm_amplitudes[0] - theory[0]) / margin, 0.029, theory[0] + last_digit);
@@ -135,8 +135,8 @@ TEST(MobilityError, GrowsWithInertia) {
   double before = 0;
   for (const double period : {20000.0, 5000.0, 1500.0}) {
     const Question question = only_question(single(Vec3(60, 40, 40), period));
-    const double error =
-        mobility_error(question, best_prediction(question), MobilityModel::rpy_near, {}).arm_amplitudes[1];
+    const double error = mobility_error(question, best_prediction(question), MobilityModel::rpy_near, {})
+                             .limit.arm_amplitudes[1];
     EXPECT_GT(error, 1.5 * before);
     before = error;
   }
@@ -148,7 +148,8 @@ TEST(MobilityError, OfFluidWithMemoryDecreasesWithTheOrderOfMoments) {
   const BestPrediction best = best_prediction(question);
   const auto error = [&](int order, int steps) {
     return mobility_error(question, best, MobilityModel::unsteady,
-                          {.multipole_order = order, .steps_per_cycle = steps});
+                          {.multipole_order = order, .steps_per_cycle = steps})
+        .limit;
   };
   EXPECT_GT(error(0, 100).velocity, 4 * error(1, 100).velocity);
   EXPECT_GT(error(1, 100).velocity, 1.5 * error(2, 100).velocity);
@@ -157,7 +158,8 @@ TEST(MobilityError, OfFluidWithMemoryDecreasesWithTheOrderOfMoments) {
   EXPECT_NEAR(error(2, 50).velocity - error(2, 100).velocity, 3 * 5e-4, 1e-6);
   // With a short period, penetration depth matters.
   const Question fast = only_question(single(Vec3(60, 40, 40), 200));
-  EXPECT_GT(mobility_error(fast, best_prediction(fast), MobilityModel::unsteady, {}).arm_amplitudes[1], 0.03);
+  EXPECT_GT(mobility_error(fast, best_prediction(fast), MobilityModel::unsteady, {}).limit.arm_amplitudes[1],
+            0.03);
 }
 
 ResolvedRun resolved(double cells_per_radius, double relaxation_time) {
@@ -171,12 +173,12 @@ ResolvedRun resolved(double cells_per_radius, double relaxation_time) {
           .timing = {.step = step, .sound_speed = cell / step / std::numbers::sqrt3, .corrects_delay = true}};
 }
 
-ErrorEstimate lattice_error(const Question& question, const BestPrediction& best, const ResolvedRun& run) {
+ErrorRange lattice_error(const Question& question, const BestPrediction& best, const ResolvedRun& run) {
   return combined(resolution_error(LatticeLag(question), best, run), wander_error(best, run));
 }
 
-// docs/speed-against-error.md, the swimmer by mr, root mean squares: velocities to a factor of 2, strokes
-// of 1.7.
+// docs/speed-against-error.md, the swimmer by mr, root mean squares over four places within cells: typical
+// errors to a factor of 1.7, and no error above its limit.
 TEST(LatticeError, IsThatOfRunsOnRecord) {
   const Question question = only_question(single(Vec3(60, 40, 40)));
   Question driven = question;
@@ -185,19 +187,25 @@ TEST(LatticeError, IsThatOfRunsOnRecord) {
   struct Measured {
     double cells, relaxation_time, velocity, d2;
   };
-  for (const auto& [cells, time, velocity, d2] : {Measured{2, 1.5, 0.0227, 0.0163},
-                                                  {2, 3, 0.0565, 0.0257},
-                                                  {3, 1.5, 0.0110, 0.0062},
-                                                  {3, 2, 0.0163, 0.0093},
-                                                  {4, 1.5, 0.0053, 0.0033}}) {
-    const ErrorEstimate error = lattice_error(driven, best, resolved(cells, time));
-    EXPECT_LT(std::abs(std::log(error.velocity / velocity)), std::log(2.0)) << cells << " " << time;
-    EXPECT_LT(std::abs(std::log(error.arm_amplitudes[1] / d2)), std::log(1.7)) << cells << " " << time;
+  for (const auto& [cells, time, velocity, d2] : {Measured{2, 1, 0.0153, 0.0084},
+                                                  {2, 1.5, 0.0246, 0.0143},
+                                                  {2, 2, 0.0377, 0.0215},
+                                                  {3, 1, 0.0042, 0.0022},
+                                                  {3, 1.5, 0.0089, 0.0050},
+                                                  {3, 2, 0.0160, 0.0091},
+                                                  {4, 1.5, 0.0045, 0.0024}}) {
+    ResolvedRun run = resolved(cells, time);
+    run.plane_factor = 2;  // mean over places
+    const auto [typical, limit] = lattice_error(driven, best, run);
+    EXPECT_LT(std::abs(std::log(typical.velocity / velocity)), std::log(1.7)) << cells << " " << time;
+    EXPECT_LT(std::abs(std::log(typical.arm_amplitudes[1] / d2)), std::log(1.7)) << cells << " " << time;
+    EXPECT_GT(limit.velocity, velocity) << cells << " " << time;
+    EXPECT_GT(limit.arm_amplitudes[1], d2) << cells << " " << time;
   }
 }
 
 // docs/resolution.md: standard deviations of the velocity over places within a cell, on planes of the lattice
-// and off them, to a factor of 2.5 (the estimate is two of them).
+// and off them, to a factor of 2.5.
 TEST(LatticeError, KnowsHowTheVelocityWanders) {
   struct Measured {
     double cells, amplitude, on_planes, off_planes;
@@ -216,7 +224,7 @@ TEST(LatticeError, KnowsHowTheVelocityWanders) {
     ResolvedRun run = resolved(cells, 1);
     const auto deviation = [&](double plane_factor) {
       run.plane_factor = plane_factor;
-      return wander_error(best, run).velocity / 2 / best.cancellation;
+      return wander_error(best, run).typical.velocity / best.cancellation;
     };
     EXPECT_LT(std::abs(std::log(deviation(1) / off_planes)), std::log(2.5)) << cells << " " << amplitude;
     EXPECT_LT(std::abs(std::log(deviation(5) / on_planes)), std::log(2.5)) << cells << " " << amplitude;
@@ -236,9 +244,9 @@ TEST(LatticeError, KnowsGapsThatCellsDoNotResolve) {
   const Question question = only_question(single(Vec3(60, 40, 40)));
   const BestPrediction best = best_prediction(question);
   ResolvedRun run = resolved(4, 1);
-  const double wide = resolution_error(LatticeLag(question), best, run).velocity;
+  const double wide = resolution_error(LatticeLag(question), best, run).limit.velocity;
   run.smallest_gap = 0.5;
-  EXPECT_GT(resolution_error(LatticeLag(question), best, run).velocity, wide + 0.2);
+  EXPECT_GT(resolution_error(LatticeLag(question), best, run).limit.velocity, wide + 0.2);
 }
 
 TEST(LatticeError, HasNoneAtRest) {
@@ -247,7 +255,7 @@ TEST(LatticeError, HasNoneAtRest) {
   question = with_exact_reference(question);
   const BestPrediction best = best_prediction(question);
   EXPECT_FALSE(best.is_swimming);
-  EXPECT_EQ(lattice_error(question, best, resolved(2, 1)).largest(), 0);
+  EXPECT_EQ(lattice_error(question, best, resolved(2, 1)).limit.largest(), 0);
 }
 
 TEST(LatticeError, IsLargeWhereTheVelocityIsASmallDifference) {

@@ -111,8 +111,10 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
                       .tolerance = request.tolerance,
                       .moment_order = request.multipole_order};
   if (request.is_unsteady)
-    scene.memory =
-        FluidMemory{.density = 1, .step = 20, .spacing = 1.2 * radius, .has_reynolds_stress = true};
+    scene.memory = FluidMemory{.density = 1,
+                               .step = 20,
+                               .spacing = max_memory_spacing[request.multipole_order] * radius,
+                               .has_reynolds_stress = true};
   ProductRow row{.beads = count,
                  .surroundings = surroundings,
                  .ranks = communicator.size(),

@@ -105,10 +105,10 @@ void apply_plan(const LayoutDocument& document, Request& request, const Communic
   request.options.accepted_error = plan.tolerance;
   if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
   print_to_stderr(fmt::format(
-      "{}: starting the cheapest run within --tolerance: {}, with an expected error of {} and a cost of "
-      "{:.3g} core-seconds\n",
-      program_name, flags_of(planned, request.options), in_percent(planned.error.largest()),
-      planned.core_seconds));
+      "{}: starting the cheapest run within --tolerance: {}, with an error of up to {}, typically {}, and a "
+      "cost of {:.3g} core-seconds\n",
+      program_name, flags_of(planned, request.options), in_percent(planned.error.limit.largest()),
+      in_percent(planned.error.typical.largest()), planned.core_seconds));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ Box box_for_open_space(const OverdampedScene& scene) {
 
 FluidMemory fluid_memory(const Layout& layout, const OverdampedScene& scene, bool has_reynolds_stress,
                          const std::string& source) {
-  constexpr double per_radius = 1.2, per_depth = 0.9;
+  constexpr double per_depth = 0.9;  // spacing divided by penetration depth
   const double smallest = smallest_radius(layout), largest = largest_radius(scene.types);
   const double density = layout.fluid.density;
   // Penetration depth sqrt(2 nu/omega) of the fastest oscillation.
@@ -81,6 +81,7 @@ FluidMemory fluid_memory(const Layout& layout, const OverdampedScene& scene, boo
                             largest / smallest, max_radius_ratio, Setting::model));
   check_light_beads(scene, density, source);
   if (!layout.domain.box) check_net_forces(scene, source);
+  const double per_radius = max_memory_spacing[scene.moment_order];
   const FluidMemory memory{.density = density,
                            .step = scene.step,
                            .spacing = std::min(per_radius * smallest, per_depth * depth),

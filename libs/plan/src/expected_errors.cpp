@@ -25,7 +25,7 @@ ExpectedErrors expected_errors(const Layout& layout, MobilityModel model, const 
                                double cycles) {
   const SceneFacts facts = scene_facts(layout, cycles);
   require_validated(facts);
-  return {.total = mobility_scene_error(facts, model, settings),
+  return {.total = mobility_scene_error(facts, model, settings).limit,
           .resolution = {.velocity = velocity_error_of_steps(model, settings) + position_roundoff(facts)},
           .wander = {},
           .box = box_changes(facts)};
@@ -38,9 +38,9 @@ ExpectedErrors expected_errors(const Layout& layout, const SceneOnLattice& on_la
   const double roundoff =
       velocity_roundoff(on_lattice.scene, steps_per_cycle, total_steps(cycles, steps_per_cycle));
   const LatticeErrors errors = lattice_scene_errors(on_lattice, facts, roundoff);
-  return {.total = errors.total(),
-          .resolution = errors.resolution,
-          .wander = errors.wander,
+  return {.total = errors.total().limit,
+          .resolution = errors.resolution.limit,
+          .wander = errors.wander.limit,
           .box = box_changes(facts)};
 }
 

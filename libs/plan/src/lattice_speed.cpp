@@ -124,18 +124,19 @@ LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
 }
 
 LatticeSpeed LatticeSpeed::at_present(const Communicator& communicator) const {
-  std::vector<double> ratios;
-  const PrecisionCost& known = precisions_.at(static_cast<std::size_t>(Precision::fp64));
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const CoupledScene scene = fluid_scene(edges[i], Precision::fp64, ranks_);
-    const double seconds = ranks_ * seconds_of_step(scene, short_interval, communicator);
-    ratios.push_back(seconds / scene.cells.cast<double>().prod() / known.seconds_per_cell[i]);
-  }
-  const double ratio = median(ratios);
   std::vector<PrecisionCost> now = precisions_;
-  for (PrecisionCost& own : now)
+  for (const Precision precision : all_values<Precision>) {
+    PrecisionCost& own = now.at(static_cast<std::size_t>(precision));
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const CoupledScene scene = fluid_scene(edges[i], precision, ranks_);
+      const double seconds = ranks_ * seconds_of_step(scene, short_interval, communicator);
+      ratios.push_back(seconds / scene.cells.cast<double>().prod() / own.seconds_per_cell[i]);
+    }
+    const double ratio = median(ratios);
     for (std::vector<double>* costs : {&own.seconds_per_cell, &own.seconds_per_area})
       for (double& seconds : *costs) seconds *= ratio;
+  }
   return {ranks_, std::move(now)};
 }
 

@@ -64,8 +64,21 @@ double truncation(MobilityModel model, const MobilitySettings& settings) {
 /// docs/speed-against-error.md have uncertainties of 0.2 and 0.4 %.
 constexpr double min_validated_error = 0.002;
 
+ErrorEstimate sum(const ErrorEstimate& a, const ErrorEstimate& b) {
+  return {.velocity = a.velocity + b.velocity,
+          .arm_amplitudes = {a.arm_amplitudes[0] + b.arm_amplitudes[0],
+                             a.arm_amplitudes[1] + b.arm_amplitudes[1]}};
+}
+
 double relative(double value, double reference) {
   return reference != 0 ? std::abs(value / reference - 1) : 0;
+}
+
+ErrorEstimate combined(const ErrorEstimate& a, const ErrorEstimate& b) {
+  ErrorEstimate sum{.velocity = std::hypot(a.velocity, b.velocity)};
+  for (int arm = 0; arm < 2; ++arm)
+    sum.arm_amplitudes[arm] = std::hypot(a.arm_amplitudes[arm], b.arm_amplitudes[arm]);
+  return sum;
 }
 
 /// Returns the error by the bead boundary, divided by that of the bead boundary mr (docs/resolution.md).
@@ -76,10 +89,14 @@ double error_over_mr(BeadScheme scheme) {
 /// Returns the relative error by cells of finite size, averaged over all places of the beads within cells.
 /// The formulas are fits to measurements: docs/speed-against-error.md for small time steps, and
 /// docs/hard-cases.md below 2 cells per radius.
-ErrorEstimate error_of_cells(double cells_per_radius, BeadScheme scheme) {
+ErrorRange error_of_cells(double cells_per_radius, BeadScheme scheme) {
   const double n2 = cells_per_radius * cells_per_radius, n5 = n2 * n2 * cells_per_radius;
-  const double factor = error_over_mr(scheme), arm = factor * (0.03 / n2 + 0.05 / n5);
-  return {.velocity = factor * 0.045 / n2, .arm_amplitudes = {arm, arm}};
+  const double factor = error_over_mr(scheme);
+  const double typical_arm = factor * 0.08 / (n2 * n2), arm_limit = factor * (0.03 / n2 + 0.05 / n5);
+  return {
+      .typical = {.velocity = factor * 0.027 / n2, .arm_amplitudes = {typical_arm, typical_arm}},
+      .limit = {.velocity = factor * 0.045 / n2, .arm_amplitudes = {arm_limit, arm_limit}},
+  };
 }
 
 /// Returns two standard deviations of the relative velocity over all places of the beads within cells.
@@ -131,11 +148,14 @@ double lattice_plane_factor(const Vec3& position, const Vec3& axis) {
   return 1 + 4 * closeness;
 }
 
-ErrorEstimate combined(const ErrorEstimate& a, const ErrorEstimate& b) {
-  ErrorEstimate sum{.velocity = std::hypot(a.velocity, b.velocity)};
-  for (int arm = 0; arm < 2; ++arm)
-    sum.arm_amplitudes[arm] = std::hypot(a.arm_amplitudes[arm], b.arm_amplitudes[arm]);
-  return sum;
+ErrorRange combined(const ErrorRange& a, const ErrorRange& b) {
+  return {.typical = combined(a.typical, b.typical), .limit = combined(a.limit, b.limit)};
+}
+
+ErrorEstimate scaled(double factor, ErrorEstimate error) {
+  error.velocity *= factor;
+  for (double& arm : error.arm_amplitudes) arm *= factor;
+  return error;
 }
 
 double ErrorEstimate::largest() const {
@@ -183,9 +203,10 @@ namespace {
 
 /// Returns the error of the model unsteady. The truncation of force moments causes a share of the difference
 /// between Rotne-Prager theory and exact flow, both without inertia; a further error grows with the radius a
-/// over the penetration depth delta. Measured in docs/fluid-inertia.md.
-ErrorEstimate unsteady_error(const Question& question, const BestPrediction& best,
-                             const MobilitySettings& settings) {
+/// over the penetration depth delta. Measured in docs/fluid-inertia.md; there errors are typically a half
+/// (order 0) or a quarter of the limit.
+ErrorRange unsteady_error(const Question& question, const BestPrediction& best,
+                          const MobilitySettings& settings) {
   const int order = settings.multipole_order;
   const double share = std::array{1.6, 0.16, 0.05}[order], depth_factor = std::array{0.1, 0.1, 0.006}[order];
   constexpr double min_velocity_error = 0.006, min_arm_error = 0.001;
@@ -195,75 +216,83 @@ ErrorEstimate unsteady_error(const Question& question, const BestPrediction& bes
   const double over_depth = radius * std::abs(inverse_penetration_depth(swimmer, question.fluid_density));
   const double inertia_error = depth_factor * std::pow(over_depth, 4) / 4;
   const Prediction pairs = predicted("rpy-ode", question), exact = predicted("multipole-ode", question);
-  ErrorEstimate error;
-  if (best.is_swimming)
-    error.velocity = best.cancellation * (min_velocity_error + inertia_error) +
-                     share * std::abs((pairs.velocity - exact.velocity) / best.velocity) +
-                     velocity_error_of_steps(MobilityModel::unsteady, settings);
+  ErrorEstimate by_model, by_steps;
+  if (best.is_swimming) {
+    by_model.velocity = best.cancellation * (min_velocity_error + inertia_error) +
+                        share * std::abs((pairs.velocity - exact.velocity) / best.velocity);
+    by_steps.velocity = velocity_error_of_steps(MobilityModel::unsteady, settings);
+  }
   for (int arm = 0; arm < 2; ++arm) {
     if (best.arm_amplitudes[arm] == 0) continue;
-    error.arm_amplitudes[arm] = min_arm_error + inertia_error +
-                                share * std::abs(pairs.stroke.amplitude[arm] - exact.stroke.amplitude[arm]) /
-                                    best.arm_amplitudes[arm];
+    by_model.arm_amplitudes[arm] = min_arm_error + inertia_error +
+                                   share *
+                                       std::abs(pairs.stroke.amplitude[arm] - exact.stroke.amplitude[arm]) /
+                                       best.arm_amplitudes[arm];
   }
-  return error;
+  const double typical_share = order == 0 ? 0.5 : 0.25;
+  return {.typical = sum(scaled(typical_share, by_model), by_steps), .limit = sum(by_model, by_steps)};
 }
 
 }  // namespace
 
-ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
-                             const MobilitySettings& settings) {
+ErrorRange mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
+                          const MobilitySettings& settings) {
   if (model == MobilityModel::unsteady) return unsteady_error(question, best, settings);
   const auto motion_by = [&](const char* method) {
     return question.box ? motion_in_box(question, method) : motion_of(predicted(method, question));
   };
   const QuasiStaticMotion motion = motion_by(method_of(model, settings));
-  constexpr double margin = 1.15;  // the motion of the model in a box is known to 15 % of the difference
-  ErrorEstimate error = best.uncertainty;
-  if (best.is_swimming)
-    error.velocity +=
-        margin * relative(motion.velocity, best.velocity) + velocity_error_of_steps(model, settings);
-  for (int arm = 0; arm < 2; ++arm)
-    error.arm_amplitudes[arm] += margin * relative(motion.arm_amplitudes[arm], best.arm_amplitudes[arm]);
-  const double truncated = truncation(model, settings);
-  if (truncated == 0) return error;
-  const QuasiStaticMotion pairs = motion_by("rpy-ode");
-  if (best.is_swimming)
-    error.velocity += truncated * std::abs((pairs.velocity - motion.velocity) / best.velocity);
-  for (int arm = 0; arm < 2; ++arm) {
-    if (best.arm_amplitudes[arm] > 0)
-      error.arm_amplitudes[arm] += truncated *
-                                   std::abs(pairs.arm_amplitudes[arm] - motion.arm_amplitudes[arm]) /
-                                   best.arm_amplitudes[arm];
+  ErrorEstimate by_model, by_steps;  // by the physics that the model lacks; by time steps and truncation
+  if (best.is_swimming) {
+    by_model.velocity = relative(motion.velocity, best.velocity);
+    by_steps.velocity = velocity_error_of_steps(model, settings);
   }
-  return error;
+  for (int arm = 0; arm < 2; ++arm)
+    by_model.arm_amplitudes[arm] = relative(motion.arm_amplitudes[arm], best.arm_amplitudes[arm]);
+  if (const double truncated = truncation(model, settings); truncated > 0) {
+    const QuasiStaticMotion pairs = motion_by("rpy-ode");
+    if (best.is_swimming)
+      by_steps.velocity += truncated * std::abs((pairs.velocity - motion.velocity) / best.velocity);
+    for (int arm = 0; arm < 2; ++arm) {
+      if (best.arm_amplitudes[arm] > 0)
+        by_steps.arm_amplitudes[arm] = truncated *
+                                       std::abs(pairs.arm_amplitudes[arm] - motion.arm_amplitudes[arm]) /
+                                       best.arm_amplitudes[arm];
+    }
+  }
+  constexpr double margin = 1.15;  // the motion of the model in a box is known to 15 % of the difference
+  return {.typical = sum(combined(by_model, scaled(0.5, best.uncertainty)), by_steps),
+          .limit = sum(sum(scaled(margin, by_model), best.uncertainty), by_steps)};
 }
 
-ErrorEstimate resolution_error(const LatticeLag& lattice, const std::optional<BestPrediction>& best,
-                               const ResolvedRun& run) {
+ErrorRange resolution_error(const LatticeLag& lattice, const std::optional<BestPrediction>& best,
+                            const ResolvedRun& run) {
   const LagErrors lag = lattice.errors(run.timing);
-  const ErrorEstimate cells = error_of_cells(run.cells_per_radius, run.scheme);
   const ErrorEstimate gaps = error_of_gaps(run.smallest_gap, best ? best->smallest_stroke_gap / run.cell : 0);
   const double cancellation = best ? best->cancellation : 1, compression = run.mach * run.mach;
-  ErrorEstimate error;
-  if (!best || best->is_swimming) {
-    error.velocity = std::hypot(lag.velocity + cancellation * (cells.velocity + gaps.velocity) + compression,
-                                min_validated_error);
-  }
-  for (int arm = 0; arm < 2; ++arm) {
-    if (best && best->arm_amplitudes[arm] == 0) continue;  // the arm is at rest
-    error.arm_amplitudes[arm] =
-        std::hypot(std::abs(lag.arm_amplitudes[arm]) + cells.arm_amplitudes[arm] + gaps.arm_amplitudes[arm],
-                   min_validated_error);
-  }
-  return error;
+  const auto with_cells = [&](const ErrorEstimate& cells, double smallest) {
+    ErrorEstimate error;
+    if (!best || best->is_swimming) {
+      error.velocity =
+          std::hypot(lag.velocity + cancellation * (cells.velocity + gaps.velocity) + compression, smallest);
+    }
+    for (int arm = 0; arm < 2; ++arm) {
+      if (best && best->arm_amplitudes[arm] == 0) continue;  // the arm is at rest
+      error.arm_amplitudes[arm] = std::hypot(
+          std::abs(lag.arm_amplitudes[arm]) + cells.arm_amplitudes[arm] + gaps.arm_amplitudes[arm], smallest);
+    }
+    return error;
+  };
+  const ErrorRange cells = error_of_cells(run.cells_per_radius, run.scheme);
+  return {.typical = with_cells(cells.typical, 0), .limit = with_cells(cells.limit, min_validated_error)};
 }
 
-ErrorEstimate wander_error(const std::optional<BestPrediction>& best, const ResolvedRun& run) {
+ErrorRange wander_error(const std::optional<BestPrediction>& best, const ResolvedRun& run) {
   if (!best || !best->is_swimming) return {};
   const double swing = std::min(best->arm_amplitudes[0], best->arm_amplitudes[1]) / run.cell;
-  return {.velocity = best->cancellation *
-                      velocity_wander(run.cells_per_radius, run.scheme, swing, run.plane_factor)};
+  const ErrorEstimate limit{.velocity = best->cancellation * velocity_wander(run.cells_per_radius, run.scheme,
+                                                                             swing, run.plane_factor)};
+  return {.typical = scaled(0.5, limit), .limit = limit};
 }
 
 }  // namespace beadswim

@@ -172,11 +172,13 @@ LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const Scene
   };
   LatticeErrors errors{.resolution = scene_error(facts, by_resolution),
                        .wander = scene_error(facts, by_wander)};
-  if (std::isfinite(roundoff) && errors.resolution.velocity > 0) errors.resolution.velocity += roundoff;
-  if (!on_lattice.scene.levels.empty() && errors.resolution.velocity > 0) {
+  ErrorEstimate& limit = errors.resolution.limit;
+  if (limit.velocity == 0) return errors;  // no swimmer swims
+  if (std::isfinite(roundoff)) errors.resolution.add_to_velocity(roundoff);
+  if (!on_lattice.scene.levels.empty()) {
     // Twice the largest changes that were measured in free-slip boxes (docs/refinement.md).
-    errors.resolution.velocity += 0.0012;
-    for (double& arm : errors.resolution.arm_amplitudes) arm += 0.0004;
+    limit.velocity += 0.0012;
+    for (double& arm : limit.arm_amplitudes) arm += 0.0004;
   }
   return errors;
 }

@@ -174,14 +174,14 @@ double error_near_wall(double height, MobilityModel model, const MobilitySetting
   return coefficients[order] * std::pow(height, -4 - 2 * order);
 }
 
-ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model,
-                                   const MobilitySettings& settings) {
+ErrorRange mobility_scene_error(const SceneFacts& facts, MobilityModel model,
+                                const MobilitySettings& settings) {
   if (const std::string film = mobility_obstacle(facts); !film.empty()) throw InputError(film);
   const auto error_of = [&](const SwimmerFacts& swimmer_facts) {
     return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model, settings);
   };
-  ErrorEstimate error = scene_error(facts, error_of, model != MobilityModel::unsteady);
-  error.velocity += error_near_wall(facts.height, model, settings) + position_roundoff(facts);
+  ErrorRange error = scene_error(facts, error_of, model != MobilityModel::unsteady);
+  error.add_to_velocity(error_near_wall(facts.height, model, settings) + position_roundoff(facts));
   return error;
 }
 

@@ -122,12 +122,6 @@ ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b) 
                              std::max(a.arm_amplitudes[1], b.arm_amplitudes[1])}};
 }
 
-ErrorEstimate scaled(double factor, ErrorEstimate error) {
-  error.velocity *= factor;
-  for (double& arm : error.arm_amplitudes) arm *= factor;
-  return error;
-}
-
 double output_bytes(const RunSettings& settings, std::size_t beads, double cells, double bytes_per_cell) {
   constexpr double empty = 3.3e5, bytes_per_frame = 60, bytes_per_bead = 34,
                    bytes_per_flow_cell = 20;  // measured file sizes [byte]

@@ -47,34 +47,35 @@ std::string film_obstacle(const SwimmerFacts& swimmer_facts);
 /// Returns the larger of the errors in `a` and `b`, separately for the velocity and for each arm amplitude.
 ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b);
 
-/// Returns all errors, multiplied by `factor`.
-ErrorEstimate scaled(double factor, ErrorEstimate error);
-
 /// Returns true if the prediction for the representative is for a simplified scene or another shape.
 inline bool is_simplified(const Representative& representative) {
   return representative.is_stand_in || !representative.approximation.empty();
 }
 
-/// Factor that multiplies an error estimate if its prediction was made for simplified neighbours, a
+/// Factor that multiplies the limit of an error if its prediction was made for simplified neighbours, a
 /// simplified box or a simplified driving of the swimmer.
 constexpr double approximation_factor = 2;
 
 /// Returns the largest expected errors of the swimmers that represent the scene. `error_of` returns the
-/// ErrorEstimate for one SwimmerFacts. If it follows from a prediction of the motion, all its errors are
-/// multiplied by approximation_factor if the prediction is for a simplified scene, and by the growth of a
-/// tilt in half a period if forces act at an angle to the axis. The error of the velocity is also multiplied
-/// by the growth of disorder in the run.
+/// ErrorRange for one SwimmerFacts. If it follows from a prediction of the motion, limits are multiplied by
+/// approximation_factor if the prediction is for a simplified scene, and all errors by the growth of a tilt
+/// in half a period if forces act at an angle to the axis. The error of the velocity is also multiplied by
+/// the growth of disorder in the run.
 template <class ErrorOf>
-ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of, bool is_predicted = true) {
-  ErrorEstimate error;
+ErrorRange scene_error(const SceneFacts& facts, const ErrorOf& error_of, bool is_predicted = true) {
+  ErrorRange largest;
   for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts) {
-    double factor = 1;
-    if (is_predicted && is_simplified(swimmer_facts.representative)) factor = approximation_factor;
-    if (is_predicted && swimmer_facts.representative.is_slanted) factor *= swimmer_facts.tilt_growth;
-    error = componentwise_max(error, scaled(factor, error_of(swimmer_facts)));
+    const bool is_doubled = is_predicted && is_simplified(swimmer_facts.representative);
+    const bool is_slanted = is_predicted && swimmer_facts.representative.is_slanted;
+    const double growth = is_slanted ? swimmer_facts.tilt_growth : 1;
+    const ErrorRange error = error_of(swimmer_facts);
+    largest.typical = componentwise_max(largest.typical, scaled(growth, error.typical));
+    largest.limit = componentwise_max(
+        largest.limit, scaled(is_doubled ? approximation_factor * growth : growth, error.limit));
   }
-  error.velocity *= facts.disorder_growth;
-  return error;
+  largest.typical.velocity *= facts.disorder_growth;
+  largest.limit.velocity *= facts.disorder_growth;
+  return largest;
 }
 
 /// Start-up cost per rank [core-seconds] and memory of the program per rank without a scene [byte], measured
@@ -87,9 +88,9 @@ double output_bytes(const RunSettings& settings, std::size_t beads, double cells
 
 /// Errors of a lattice run of a scene, by cause.
 struct LatticeErrors {
-  ErrorEstimate resolution, wander;  ///< resolution_error(), wander_error()
+  ErrorRange resolution, wander;  ///< resolution_error(), wander_error()
 
-  ErrorEstimate total() const { return combined(resolution, wander); }
+  ErrorRange total() const { return combined(resolution, wander); }
 };
 
 /// Returns the expected errors of a lattice run of the scene. `roundoff`: relative error of the velocity by
@@ -105,8 +106,8 @@ double position_roundoff(const SceneFacts& facts);
 
 /// Returns the expected error of a run with a mobility model. Throws InputError if theory cannot predict the
 /// motion of a swimmer, or if no mobility model is accurate for the scene.
-ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model,
-                                   const MobilitySettings& settings);
+ErrorRange mobility_scene_error(const SceneFacts& facts, MobilityModel model,
+                                const MobilitySettings& settings);
 
 /// Return the candidates (possible runs) with the model lbm and with mobility models, with their expected
 /// errors and costs. Collective.

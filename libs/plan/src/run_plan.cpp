@@ -42,11 +42,11 @@ void choose(RunPlan& plan, const Communicator& communicator) {
   auto& [choice, best] = found;
   for (int r = 0; r < std::ssize(plan.runs); ++r) {
     PlannedRun& run = plan.runs[r];
-    if (run.refused.empty() && !std::isfinite(run.error.largest() + run.core_seconds))
+    if (run.refused.empty() && !std::isfinite(run.error.limit.largest() + run.core_seconds))
       run.refused = "the expected error or the cost of this run is not finite";
     if (!run.refused.empty()) continue;
-    if (best == none || run.error.largest() < plan.runs[best].error.largest()) best = r;
-    if (run.error.largest() > plan.tolerance) continue;
+    if (best == none || run.error.limit.largest() < plan.runs[best].error.limit.largest()) best = r;
+    if (run.error.limit.largest() > plan.tolerance) continue;
     if (choice == none || run.core_seconds < plan.runs[choice].core_seconds) choice = r;
   }
   MPI_Bcast(found.data(), found.size(), MPI_INT, 0, communicator.get());
@@ -71,15 +71,16 @@ void add_hard_cases_of(RunPlan& plan, const SwimmerFacts& swimmer_facts) {
   }
   if (!swimmer_facts.representative.approximation.empty())
     add("error estimates are for a swimmer " + swimmer_facts.representative.approximation +
-        ", because theory cannot treat the swimmer in this scene; to be safe, these estimates are doubled, "
-        "except for the model unsteady");
+        ", because theory cannot treat the swimmer in this scene; to be safe, the limits of errors are "
+        "doubled, except for the model unsteady");
   if (constexpr double tips_over = 20; swimmer_facts.tilt_growth > tips_over)
     add(fmt::format(
         "driving along a fixed direction compresses the swimmer for so long that a small tilt grows {:.2g} "
         "times and the swimmer turns over; a swimmer without any disturbance keeps its orientation",
         swimmer_facts.tilt_growth));
   reason_against([&] {  // an error is ignored here; the candidate reports it as PlannedRun::refused
-    const ErrorEstimate stokes = mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings{});
+    const ErrorEstimate stokes =
+        mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings{}).limit;
     const auto& [first, second] = stokes.arm_amplitudes;
     if (stokes.largest() > plan.tolerance)
       add(

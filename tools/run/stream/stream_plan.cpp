@@ -68,7 +68,7 @@ MemberPlan plan_member(const StreamMember& member, const RunOptions& options,
     } else if (plan.best) {
       const PlannedRun& best = plan.runs[*plan.best];
       refuse(fmt::format("no run within {}; smallest error: {}, {}", in_percent(plan.tolerance),
-                         flags_of(best, options), in_percent(best.error.largest())));
+                         flags_of(best, options), in_percent(best.error.limit.largest())));
     } else {
       refuse("no model can run this layout; see \"refused\" in its plan");
     }

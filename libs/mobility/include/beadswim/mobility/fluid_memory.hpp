@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 
@@ -39,6 +40,11 @@ struct FluidMemory {
   double spacing = 0;               ///< largest spacing of the mesh that carries the memory [length]
   bool has_reynolds_stress = true;  ///< true: R acts on the fluid
 };
+
+/// Largest mesh spacing, divided by the smallest bead radius, for each highest moment of the forces (0, 1,
+/// 2). Errors of the mesh are larger in swarms than for one bead, because modes above its cutoff add up. The
+/// spacing keeps them small compared with errors by missing moments (docs/method/fluid-memory.md).
+inline constexpr std::array max_memory_spacing{1.08, 0.85, 0.85};
 
 /// Returns the memory of a fluid of finite density; nullopt for steady flow.
 inline std::optional<FluidMemory> inertial_memory(const std::optional<FluidMemory>& memory) {

@@ -6,7 +6,7 @@
 
 namespace beadswim {
 
-/// Relative errors that are expected in a run, by cause: the largest of all its swimmers.
+/// Limits of the relative errors that are expected in a run, by cause: the largest of all its swimmers.
 struct ExpectedErrors {
   ErrorEstimate total;       ///< difference from the motion of the scene at infinite resolution
   ErrorEstimate resolution;  ///< by cells and time steps, or by the accuracy of mobility products

@@ -31,9 +31,9 @@ class LatticeSpeed {
   /// Measures the cost of lattice steps. This takes some seconds. Collective.
   static LatticeSpeed measured(const Communicator& communicator);
 
-  /// Returns the cost while the machine is as busy as at present: this cost times the median ratio of short
-  /// measurements of the fluid in double precision to the same costs of this object. Takes up to half a
-  /// second. Collective.
+  /// Returns the cost while the machine is as busy as at present: for each precision, this cost times the
+  /// median ratio of short measurements of the fluid to the same costs of this object. Takes up to a second.
+  /// Collective.
   LatticeSpeed at_present(const Communicator& communicator) const;
 
   /// Returns the core-seconds of one step of the scene. They are the sum of the cost of all cells, which

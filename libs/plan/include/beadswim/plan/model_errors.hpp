@@ -30,6 +30,18 @@ struct ErrorEstimate {
   }
 };
 
+/// What is known about the error of a run before it is made.
+struct ErrorRange {
+  ErrorEstimate typical;  ///< root mean square of the error over similar scenes and places within cells
+  ErrorEstimate limit;    ///< 95 of 100 runs have a smaller error
+
+  /// Adds a known contribution to the errors of the velocity.
+  void add_to_velocity(double contribution) {
+    typical.velocity += contribution;
+    limit.velocity += contribution;
+  }
+};
+
 /// Velocity and arm amplitudes of a swimmer by the most accurate method of theory (inertia-corrected), and
 /// their uncertainty.
 struct BestPrediction {
@@ -55,13 +67,14 @@ ErrorEstimate difference(const BestPrediction& a, const BestPrediction& b);
 /// accuracy of the products of mobility and forces.
 double velocity_error_of_steps(MobilityModel model, const MobilitySettings& settings);
 
-/// Returns the expected relative error of a run with a mobility model. It is the sum of 1.15 times the
+/// Returns the expected relative error of a run with a mobility model. The limit is the sum of 1.15 times the
 /// relative difference between the model and `best`, the uncertainty of `best` and, for the velocity, the
-/// errors by the time step and by the tolerance of mobility products. The model unsteady is more accurate
+/// errors by the time step and by the tolerance of mobility products. The typical error contains the
+/// difference once, and half of the uncertainty as an independent error. The model unsteady is more accurate
 /// than `best`; its error follows from its approximations alone. Throws InputError if beads touch, because no
 /// periodic motion exists then.
-ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
-                             const MobilitySettings& settings);
+ErrorRange mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
+                          const MobilitySettings& settings);
 
 /// Properties of a run with the model lbm that determine its error.
 struct ResolvedRun {
@@ -83,14 +96,17 @@ double lattice_plane_factor(const Vec3& position, const Vec3& axis);
 /// Returns the relative errors of a run with the model lbm by time steps and cells of finite size. The error
 /// of time steps follows from theory (`lag`), and the error of cells from measurements. If `best` is nullopt,
 /// the estimate assumes that beads touch during the stroke.
-ErrorEstimate resolution_error(const LatticeLag& lag, const std::optional<BestPrediction>& best,
-                               const ResolvedRun& run);
+ErrorRange resolution_error(const LatticeLag& lag, const std::optional<BestPrediction>& best,
+                            const ResolvedRun& run);
 
 /// Returns the relative errors of a run with the model lbm by the place of the beads within cells: the
-/// velocity of a cycle wanders while the swimmer moves through a cell. They are two standard deviations.
-ErrorEstimate wander_error(const std::optional<BestPrediction>& best, const ResolvedRun& run);
+/// velocity of a cycle wanders while the swimmer moves through a cell. The limit is two standard deviations.
+ErrorRange wander_error(const std::optional<BestPrediction>& best, const ResolvedRun& run);
 
 /// Returns the root of the sum of squares of two independent errors.
-ErrorEstimate combined(const ErrorEstimate& a, const ErrorEstimate& b);
+ErrorRange combined(const ErrorRange& a, const ErrorRange& b);
+
+/// Returns all errors, multiplied by `factor`.
+ErrorEstimate scaled(double factor, ErrorEstimate error);
 
 }  // namespace beadswim

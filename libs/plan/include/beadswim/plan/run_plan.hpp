@@ -44,7 +44,7 @@ struct PlanRequest {
 struct PlannedRun {
   RunSettings settings;
   std::string refused;  ///< reason why the run is impossible or its result wrong; empty if none
-  ErrorEstimate error;
+  ErrorRange error;
   double core_seconds = 0;  ///< expected cost with the present number of ranks [core-seconds]
   double memory_bytes = 0;
   double output_bytes = 0;            ///< disk space of trajectory, flow fields and checkpoints
