@@ -11,7 +11,7 @@ def median: sort | .[length / 2 | floor];
 def within($from; $to): map(select(. >= $from and . <= $to)) | length;
 def ratios: map(([.typical, .reference] | max) / seen) | "median \(median | digits), range \(min | digits) to \(max | digits); within a factor of 2: \(within(0.5; 2)) of \(length)";
 def limits: "\(map(select(.measured - .reference <= .limit)) | length) of \(length)";
-def of_models($from; $name): map(.[$name].reference as $reference | .models[] | {limit: .[$from], typical: .[$from + 1], measured: .[$from + 2], $reference});
+def model_errors($from; $name): map(.[$name].reference as $reference | .models[] | {limit: .[$from], typical: .[$from + 1], measured: .[$from + 2], $reference});
 map(select(.cost)) as $run | length as $scenes | $run |
 "| tolerance | choice | core-seconds: predicted, measured | error of velocity [%]: limit, typical, measured | error of strokes [%] | uncertainty of the reference: velocity [%] | within the tolerance |",
 "|---|---|---|---|---|---|---|",
@@ -21,5 +21,5 @@ map(select(.cost)) as $run | length as $scenes | $run |
 "Predicted/measured cost: \(map(.cost.predicted / .cost.measured) | "median \(median | digits), range \(min | digits) to \(max | digits); within 30 %: \(within(1 / 1.3; 1.3)) of \(length)").",
 "Typical/measured error of velocity, chosen runs: \(map(.velocity) | ratios); measured within the limit: \(map(.velocity) | limits).",
 "Typical/measured error of strokes, chosen runs: \(map(.strokes) | ratios); measured within the limit: \(map(.strokes) | limits).",
-"Typical/measured error of velocity, mobility models: \(of_models(1; "velocity") | ratios); measured within the limit: \(of_models(1; "velocity") | limits).",
-"Typical/measured error of strokes, mobility models: \(of_models(4; "strokes") | ratios); measured within the limit: \(of_models(4; "strokes") | limits)."
+"Typical/measured error of velocity, mobility models: \(model_errors(1; "velocity") | ratios); measured within the limit: \(model_errors(1; "velocity") | limits).",
+"Typical/measured error of strokes, mobility models: \(model_errors(4; "strokes") | ratios); measured within the limit: \(model_errors(4; "strokes") | limits)."

@@ -50,18 +50,18 @@ compare() {
     def strokes: .arm_amplitudes | max;
     ($plan[0] | .choice as $flags | [.runs[] | select(.flags == $flags)][0]) as $chosen
     | $reference[0].swimmers[0] as $r | $r.cycles[-1] as $exact | [$runs[].swimmers[0].cycles[-1]] as $found
-    | def of_velocity: velocity / ($exact | velocity) - 1;
-      def of_strokes: . as $cycle | [range(2) | $cycle.arm_amplitudes[.] / $exact.arm_amplitudes[.] - 1];
+    | def velocity_error: velocity / ($exact | velocity) - 1;
+      def stroke_errors: . as $cycle | [range(2) | $cycle.arm_amplitudes[.] / $exact.arm_amplitudes[.] - 1];
     if $found == [] then {seed: $seed, scene: $scene, parameters: $parameters, tolerance: $tolerance, choice: $plan[0].choice} else
       {seed: $seed, scene: $scene, parameters: $parameters, tolerance: $tolerance, choice: $plan[0].choice, reference_cells: $cells,
        cost: {predicted: $chosen.cost.core_seconds, measured: ([$runs[].cost.core_seconds] | sort | .[(length - 1) / 2 | floor])},
-       velocity: {limit: $chosen.error.velocity, typical: $chosen.typical_error.velocity, measured: ($found | map(of_velocity) | rms),
+       velocity: {limit: $chosen.error.velocity, typical: $chosen.typical_error.velocity, measured: ($found | map(velocity_error) | rms),
                   reference: $r.uncertainty.velocity.total},
        strokes: {limit: ($chosen.error | strokes), typical: ($chosen.typical_error | strokes),
-                 measured: ($found | map(of_strokes) | transpose | map(rms) | max), reference: $r.uncertainty.arm_amplitudes.total},
+                 measured: ($found | map(stroke_errors) | transpose | map(rms) | max), reference: $r.uncertainty.arm_amplitudes.total},
        models: [$models[] | .flags as $flags | first($plan[0].runs[] | select(.flags == $flags)) as $run | .swimmers[0].cycles[-1]
-         | [$flags, $run.error.velocity, $run.typical_error.velocity, (of_velocity | fabs), ($run.error | strokes),
-            ($run.typical_error | strokes), (of_strokes | map(fabs) | max)]]} end'
+         | [$flags, $run.error.velocity, $run.typical_error.velocity, (velocity_error | fabs), ($run.error | strokes),
+            ($run.typical_error | strokes), (stroke_errors | map(fabs) | max)]]} end'
 }
 
 # Succeeds if the chosen run is within the tolerance.

@@ -13,13 +13,13 @@ Prediction predicted(const char* method, const Question& question) {
   return predict(find_method(method), question);
 }
 
-/// Velocity [length/time] and arm amplitudes [length] by a model without inertia.
-struct QuasiStaticMotion {
+/// Velocity [length/time] and arm amplitudes [length] of a swimmer.
+struct SwimmerMotion {
   double velocity = 0;
   std::array<double, 2> arm_amplitudes{};
 };
 
-QuasiStaticMotion motion_of(const Prediction& prediction) {
+SwimmerMotion motion_of(const Prediction& prediction) {
   const std::vector<double>& arms = prediction.stroke.amplitude;
   return {.velocity = prediction.velocity, .arm_amplitudes = {arms[0], arms[1]}};
 }
@@ -30,11 +30,11 @@ QuasiStaticMotion motion_of(const Prediction& prediction) {
 ///   velocity   v_RP,box + (v_model - v_RP) A_box/A
 ///   amplitude  d_RP,box d_model/d_RP
 /// A = d_1 d_2 sin(beta) is the stroke area by RP, with the arm amplitudes d_1, d_2 and the phase shift beta.
-QuasiStaticMotion motion_in_box(const Question& question, const char* method_in_open_space) {
+SwimmerMotion motion_in_box(const Question& question, const char* method_in_open_space) {
   const Prediction pairs_in_box = predicted("rpy-box-ode", question);
   const Prediction pairs = predicted("rpy-ode", question), model = predicted(method_in_open_space, question);
   const double area = pairs.stroke.area() != 0 ? pairs_in_box.stroke.area() / pairs.stroke.area() : 1;
-  QuasiStaticMotion motion = motion_of(pairs_in_box);
+  SwimmerMotion motion = motion_of(pairs_in_box);
   motion.velocity += (model.velocity - pairs.velocity) * area;
   for (int arm = 0; arm < 2; ++arm) {
     if (pairs.stroke.amplitude[arm] > 0)
@@ -72,6 +72,14 @@ ErrorEstimate sum(const ErrorEstimate& a, const ErrorEstimate& b) {
 
 double relative(double value, double reference) {
   return reference != 0 ? std::abs(value / reference - 1) : 0;
+}
+
+ErrorEstimate difference(const SwimmerMotion& motion, const BestPrediction& best) {
+  ErrorEstimate change;
+  if (best.is_swimming) change.velocity = relative(motion.velocity, best.velocity);
+  for (int arm = 0; arm < 2; ++arm)
+    change.arm_amplitudes[arm] = relative(motion.arm_amplitudes[arm], best.arm_amplitudes[arm]);
+  return change;
 }
 
 ErrorEstimate combined(const ErrorEstimate& a, const ErrorEstimate& b) {
@@ -181,11 +189,7 @@ BestPrediction best_prediction(const Question& question) {
 }
 
 ErrorEstimate difference(const BestPrediction& a, const BestPrediction& b) {
-  ErrorEstimate change;
-  if (b.is_swimming) change.velocity = std::abs(a.velocity / b.velocity - 1);
-  for (int arm = 0; arm < 2; ++arm)
-    change.arm_amplitudes[arm] = relative(a.arm_amplitudes[arm], b.arm_amplitudes[arm]);
-  return change;
+  return difference(SwimmerMotion{.velocity = a.velocity, .arm_amplitudes = a.arm_amplitudes}, b);
 }
 
 // The error by time steps of finite length is 3.3e-5 of the velocity with 100 steps per cycle. It is
@@ -216,21 +220,22 @@ ErrorRange unsteady_error(const Question& question, const BestPrediction& best,
   const double over_depth = radius * std::abs(inverse_penetration_depth(swimmer, question.fluid_density));
   const double inertia_error = depth_factor * std::pow(over_depth, 4) / 4;
   const Prediction pairs = predicted("rpy-ode", question), exact = predicted("multipole-ode", question);
-  ErrorEstimate by_model, by_steps;
+  ErrorEstimate model_error, step_error;
   if (best.is_swimming) {
-    by_model.velocity = best.cancellation * (min_velocity_error + inertia_error) +
-                        share * std::abs((pairs.velocity - exact.velocity) / best.velocity);
-    by_steps.velocity = velocity_error_of_steps(MobilityModel::unsteady, settings);
+    model_error.velocity = best.cancellation * (min_velocity_error + inertia_error) +
+                           share * std::abs((pairs.velocity - exact.velocity) / best.velocity);
+    step_error.velocity = velocity_error_of_steps(MobilityModel::unsteady, settings);
   }
   for (int arm = 0; arm < 2; ++arm) {
     if (best.arm_amplitudes[arm] == 0) continue;
-    by_model.arm_amplitudes[arm] = min_arm_error + inertia_error +
-                                   share *
-                                       std::abs(pairs.stroke.amplitude[arm] - exact.stroke.amplitude[arm]) /
-                                       best.arm_amplitudes[arm];
+    model_error.arm_amplitudes[arm] =
+        min_arm_error + inertia_error +
+        share * std::abs(pairs.stroke.amplitude[arm] - exact.stroke.amplitude[arm]) /
+            best.arm_amplitudes[arm];
   }
   const double typical_share = order == 0 ? 0.5 : 0.25;
-  return {.typical = sum(scaled(typical_share, by_model), by_steps), .limit = sum(by_model, by_steps)};
+  return {.typical = sum(scaled(typical_share, model_error), step_error),
+          .limit = sum(model_error, step_error)};
 }
 
 }  // namespace
@@ -241,28 +246,24 @@ ErrorRange mobility_error(const Question& question, const BestPrediction& best, 
   const auto motion_by = [&](const char* method) {
     return question.box ? motion_in_box(question, method) : motion_of(predicted(method, question));
   };
-  const QuasiStaticMotion motion = motion_by(method_of(model, settings));
-  ErrorEstimate by_model, by_steps;  // by the physics that the model lacks; by time steps and truncation
-  if (best.is_swimming) {
-    by_model.velocity = relative(motion.velocity, best.velocity);
-    by_steps.velocity = velocity_error_of_steps(model, settings);
-  }
-  for (int arm = 0; arm < 2; ++arm)
-    by_model.arm_amplitudes[arm] = relative(motion.arm_amplitudes[arm], best.arm_amplitudes[arm]);
+  const SwimmerMotion motion = motion_by(method_of(model, settings));
+  const ErrorEstimate model_error = difference(motion, best);
+  ErrorEstimate step_error;  // by time steps and by truncation
+  if (best.is_swimming) step_error.velocity = velocity_error_of_steps(model, settings);
   if (const double truncated = truncation(model, settings); truncated > 0) {
-    const QuasiStaticMotion pairs = motion_by("rpy-ode");
+    const SwimmerMotion pairs = motion_by("rpy-ode");
     if (best.is_swimming)
-      by_steps.velocity += truncated * std::abs((pairs.velocity - motion.velocity) / best.velocity);
+      step_error.velocity += truncated * std::abs((pairs.velocity - motion.velocity) / best.velocity);
     for (int arm = 0; arm < 2; ++arm) {
       if (best.arm_amplitudes[arm] > 0)
-        by_steps.arm_amplitudes[arm] = truncated *
-                                       std::abs(pairs.arm_amplitudes[arm] - motion.arm_amplitudes[arm]) /
-                                       best.arm_amplitudes[arm];
+        step_error.arm_amplitudes[arm] = truncated *
+                                         std::abs(pairs.arm_amplitudes[arm] - motion.arm_amplitudes[arm]) /
+                                         best.arm_amplitudes[arm];
     }
   }
   constexpr double margin = 1.15;  // the motion of the model in a box is known to 15 % of the difference
-  return {.typical = sum(combined(by_model, scaled(0.5, best.uncertainty)), by_steps),
-          .limit = sum(sum(scaled(margin, by_model), best.uncertainty), by_steps)};
+  return {.typical = sum(combined(model_error, scaled(0.5, best.uncertainty)), step_error),
+          .limit = sum(sum(scaled(margin, model_error), best.uncertainty), step_error)};
 }
 
 ErrorRange resolution_error(const LatticeLag& lattice, const std::optional<BestPrediction>& best,
@@ -270,7 +271,7 @@ ErrorRange resolution_error(const LatticeLag& lattice, const std::optional<BestP
   const LagErrors lag = lattice.errors(run.timing);
   const ErrorEstimate gaps = error_of_gaps(run.smallest_gap, best ? best->smallest_stroke_gap / run.cell : 0);
   const double cancellation = best ? best->cancellation : 1, compression = run.mach * run.mach;
-  const auto with_cells = [&](const ErrorEstimate& cells, double smallest) {
+  const auto estimate = [&](const ErrorEstimate& cells, double smallest) {
     ErrorEstimate error;
     if (!best || best->is_swimming) {
       error.velocity =
@@ -284,7 +285,7 @@ ErrorRange resolution_error(const LatticeLag& lattice, const std::optional<BestP
     return error;
   };
   const ErrorRange cells = error_of_cells(run.cells_per_radius, run.scheme);
-  return {.typical = with_cells(cells.typical, 0), .limit = with_cells(cells.limit, min_validated_error)};
+  return {.typical = estimate(cells.typical, 0), .limit = estimate(cells.limit, min_validated_error)};
 }
 
 ErrorRange wander_error(const std::optional<BestPrediction>& best, const ResolvedRun& run) {

@@ -30,7 +30,7 @@ struct ErrorEstimate {
   }
 };
 
-/// What is known about the error of a run before it is made.
+/// Expected relative error of a run: its usual size and its limit.
 struct ErrorRange {
   ErrorEstimate typical;  ///< root mean square of the error over similar scenes and places within cells
   ErrorEstimate limit;    ///< 95 of 100 runs have a smaller error
