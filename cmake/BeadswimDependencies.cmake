@@ -17,6 +17,5 @@ find_package(fmt 9 REQUIRED CONFIG)
 find_package(Boost 1.74 REQUIRED)  # headers only, for Boost.Math
 find_package(nanoflann 1.4 REQUIRED CONFIG)
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)  # the MPI part of FFTW has no .pc file
-find_library(FFTW_MPI fftw3_mpi REQUIRED)
+pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)

@@ -26,7 +26,7 @@ class Beadswim(CMakePackage):
 
     depends_on("mpi@3:")
     depends_on("hdf5@1.10.7:+mpi")
-    depends_on("fftw@3.3:+mpi precision=double")
+    depends_on("fftw@3.3: precision=double")
     depends_on("openssl")
     depends_on("fmt@9:")
     depends_on("eigen@3.4:")

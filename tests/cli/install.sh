@@ -79,7 +79,7 @@ run cpack --config "$BEADSWIM_BUILD/CPackConfig.cmake" -G DEB -B "$PWD/package"
 has_status 0
 package=$(echo package/*.deb)
 dpkg-deb -f "$package" Depends >depends
-for library in openmpi-bin libhdf5-openmpi libopenmpi libfftw3-mpi3 libfmt9; do
+for library in openmpi-bin libhdf5-openmpi libopenmpi libfftw3-double3 libfmt9; do
   check "it depends on $library" grep -q "$library" depends
 done
 dpkg-deb -x "$package" unpacked

@@ -17,7 +17,7 @@ namespace {
 struct Work {
   double pair = 1;
   double window_point = 0.1;  ///< per bead and mesh point of its window, for three components
-  double mesh_point = 2.5;    ///< per mesh point, for six Fourier transforms
+  double mesh_point = 1.7;    ///< per mesh point, for six Fourier transforms
   /// Over a wall: number of pairs of a bead and a mirror point that take as long as one mesh point.
   double mirror_pairs_per_mesh_point = 2;
 };

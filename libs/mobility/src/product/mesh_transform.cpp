@@ -4,28 +4,146 @@
 #include <new>
 
 namespace beadswim {
+namespace {
+
+fftw_complex* fftw(Complex* values) {
+  return reinterpret_cast<fftw_complex*>(values);
+}
+
+FftwArray allocate(std::ptrdiff_t reals) {
+  FftwArray memory(fftw_alloc_real(std::max<std::ptrdiff_t>(reals, 1)));
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+/// Returns the parts of all ranks; they differ by one plane at most.
+std::vector<MeshTransform::Part> MeshTransform::parts(int planes) const {
+  const std::int64_t ranks = communicator_.size();
+  std::vector<Part> parts;
+  for (std::int64_t r = 0; r < ranks; ++r) {
+    const int first = static_cast<int>(planes * r / ranks), end = static_cast<int>(planes * (r + 1) / ranks);
+    parts.push_back({first, end - first});
+  }
+  return parts;
+}
 
 MeshTransform::MeshTransform(const std::array<int, 3>& points, const Communicator& communicator)
-    : points_(points) {
-  static const bool started = (fftw_mpi_init(), true);
-  (void)started;
-  const std::array<std::ptrdiff_t, 3> n{points[0], points[1], points[2]};
-  size_ = fftw_mpi_local_size_3d_transposed(n[0], n[1], n[2] / 2 + 1, communicator.get(), &planes_,
-                                            &first_plane_, &waves_, &first_wave_);
-  const FftwArray scratch = array();
-  auto* complex = reinterpret_cast<fftw_complex*>(scratch.get());
+    : points_(points),
+      communicator_(communicator),
+      rank_(communicator.rank()),
+      planes_(parts(points[0])),
+      waves_(parts(points[1])),
+      row_(points[2] / 2 + 1),
+      max_rows_(
+          std::max(std::ptrdiff_t{planes()} * points[1], std::ptrdiff_t{waves_[rank_].count} * points[0])) {
+  const auto [nx, ny, nz] = points;
+  const int row = static_cast<int>(row_);
+  for (FftwArray& plane : scratch_) plane = allocate(2 * row_ * std::max(nx, ny));
+  if (communicator.size() > 1) exchanged_ = array();
   // FFTW_ESTIMATE selects an algorithm without timing, so every run uses the same algorithm and gets the
   // same bits.
-  forward_.reset(fftw_mpi_plan_dft_r2c_3d(n[0], n[1], n[2], scratch.get(), complex, communicator.get(),
-                                          FFTW_ESTIMATE | FFTW_MPI_TRANSPOSED_OUT));
-  backward_.reset(fftw_mpi_plan_dft_c2r_3d(n[0], n[1], n[2], complex, scratch.get(), communicator.get(),
-                                           FFTW_ESTIMATE | FFTW_MPI_TRANSPOSED_IN));
+  const unsigned flags = FFTW_ESTIMATE;
+  double* const reals = scratch_[0].get();
+  auto* const a = fftw(as_complex(scratch_[0]));
+  auto* const b = fftw(as_complex(scratch_[1]));
+  forward_.along_z.reset(
+      fftw_plan_many_dft_r2c(1, &nz, ny, reals, nullptr, 1, 2 * row, b, nullptr, 1, row, flags));
+  backward_.along_z.reset(
+      fftw_plan_many_dft_c2r(1, &nz, ny, b, nullptr, 1, row, reals, nullptr, 1, 2 * row, flags));
+  forward_.along_y.reset(
+      fftw_plan_many_dft(1, &ny, row, b, nullptr, row, 1, a, nullptr, row, 1, FFTW_FORWARD, flags));
+  backward_.along_y.reset(
+      fftw_plan_many_dft(1, &ny, row, a, nullptr, row, 1, b, nullptr, row, 1, FFTW_BACKWARD, flags));
+  forward_.along_x.reset(
+      fftw_plan_many_dft(1, &nx, row, a, nullptr, row, 1, b, nullptr, row, 1, FFTW_FORWARD, flags));
+  backward_.along_x.reset(
+      fftw_plan_many_dft(1, &nx, row, a, nullptr, row, 1, b, nullptr, row, 1, FFTW_BACKWARD, flags));
 }
 
 FftwArray MeshTransform::array() const {
-  FftwArray memory(fftw_alloc_real(2 * std::max<std::ptrdiff_t>(size_, 1)));
-  if (!memory) throw std::bad_alloc();
-  return memory;
+  return allocate(reals());
+}
+
+/// Calls copy(plane, message, count) for each run of consecutive Fourier modes that are sent to one rank:
+/// indices of the first of them in an array and in the messages, which are in the order of the ranks.
+template <class Copy>
+void MeshTransform::for_each_message(const Copy& copy) const {
+  for (const Part& to : waves_)
+    for (int i = 0; i < planes(); ++i)
+      copy((std::ptrdiff_t{i} * points_[1] + to.first) * row_,
+           (std::ptrdiff_t{planes()} * to.first + std::ptrdiff_t{i} * to.count) * row_, to.count * row_);
+}
+
+/// Exchanges rows among all ranks. A rank owns the planes before[rank] before the exchange and after[rank]
+/// after it. The rows in `from` are in the order of their receivers, those in `to` in the order of their
+/// senders.
+void MeshTransform::exchange(const FftwArray& from, const std::vector<Part>& before, const FftwArray& to,
+                             const std::vector<Part>& after) const {
+  std::vector<int> sent, first_sent, received, first_received;
+  for (const Part& part : after) {
+    sent.push_back(before[rank_].count * part.count);
+    first_sent.push_back(before[rank_].count * part.first);
+  }
+  for (const Part& part : before) {
+    received.push_back(after[rank_].count * part.count);
+    first_received.push_back(after[rank_].count * part.first);
+  }
+  MPI_Datatype row;
+  MPI_Type_contiguous(static_cast<int>(2 * row_), MPI_DOUBLE, &row);
+  MPI_Type_commit(&row);
+  MPI_Alltoallv(from.get(), sent.data(), first_sent.data(), row, to.get(), received.data(),
+                first_received.data(), row, communicator_.get());
+  MPI_Type_free(&row);
+}
+
+void MeshTransform::forward(const FftwArray& a) const {
+  const std::ptrdiff_t plane = points_[1] * row_;
+  for (int i = 0; i < planes(); ++i) {
+    Complex* const own = as_complex(a) + i * plane;
+    fftw_execute_dft_r2c(forward_.along_z.get(), reinterpret_cast<double*>(own),
+                         fftw(as_complex(scratch_[1])));
+    fftw_execute_dft(forward_.along_y.get(), fftw(as_complex(scratch_[1])), fftw(own));
+  }
+  if (exchanged_) {
+    for_each_message([&](std::ptrdiff_t plane, std::ptrdiff_t message, std::ptrdiff_t count) {
+      std::copy_n(as_complex(a) + plane, count, as_complex(exchanged_) + message);
+    });
+    exchange(exchanged_, planes_, a, waves_);
+  }
+  transform_along_x(forward_.along_x, a);
+}
+
+void MeshTransform::backward(const FftwArray& a) const {
+  transform_along_x(backward_.along_x, a);
+  if (exchanged_) {
+    exchange(a, waves_, exchanged_, planes_);
+    for_each_message([&](std::ptrdiff_t plane, std::ptrdiff_t message, std::ptrdiff_t count) {
+      std::copy_n(as_complex(exchanged_) + message, count, as_complex(a) + plane);
+    });
+  }
+  const std::ptrdiff_t plane = points_[1] * row_;
+  for (int i = 0; i < planes(); ++i) {
+    Complex* const own = as_complex(a) + i * plane;
+    std::copy_n(own, plane, as_complex(scratch_[0]));
+    fftw_execute(backward_.along_y.get());
+    fftw_execute_dft_c2r(backward_.along_z.get(), fftw(as_complex(scratch_[1])),
+                         reinterpret_cast<double*>(own));
+  }
+}
+
+/// Transforms along the first axis, one plane of wavevectors after the other.
+void MeshTransform::transform_along_x(const FftwPlan& lines, const FftwArray& a) const {
+  const std::ptrdiff_t stride = waves_[rank_].count * row_;
+  for (int j = 0; j < waves_[rank_].count; ++j) {
+    Complex* const own = as_complex(a) + j * row_;
+    for (int i = 0; i < points_[0]; ++i)
+      std::copy_n(own + i * stride, row_, as_complex(scratch_[0]) + i * row_);
+    fftw_execute(lines.get());
+    for (int i = 0; i < points_[0]; ++i)
+      std::copy_n(as_complex(scratch_[1]) + i * row_, row_, own + i * stride);
+  }
 }
 
 }  // namespace beadswim

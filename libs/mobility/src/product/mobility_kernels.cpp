@@ -155,6 +155,50 @@ BEADSWIM_KERNEL void gather_of(const WindowMesh& mesh, const WindowBeads& beads,
   }
 }
 
+void multiply_waves(const WaveRow& row, int fields, const FieldFactors* factors, double* const* values) {
+  constexpr int chunk = 64;
+  double k2[chunk], inverse[chunk], F[3][chunk], D[3][chunk];
+  const double kx = row.kx, ky = row.ky, width = 1 / (4 * row.xi * row.xi);
+  for (long begin = 0; begin < row.numbers; begin += chunk) {
+    const int n = row.numbers - begin < chunk ? static_cast<int>(row.numbers - begin) : chunk;
+    const double* const kz = row.kz + begin;
+    for (int t = 0; t < n; ++t) {
+      k2[t] = kx * kx + ky * ky + kz[t] * kz[t];
+      inverse[t] = k2[t] > 0 ? 1 / k2[t] : 0;
+    }
+    for (int c = 0; c < 3; ++c) {
+      for (int t = 0; t < n; ++t) F[c][t] = D[c][t] = 0;
+      for (int f = 0; f < fields; ++f) {
+        const auto [p, q] = factors[f];
+        const double* const source = values[3 * f + c] + begin;
+        for (int t = 0; t < n; ++t) {
+          F[c][t] += p * source[t];
+          D[c][t] += q * source[t];
+        }
+      }
+    }
+    for (int t = 0; t < n; ++t) {
+      const double f = (kx * F[0][t] + ky * F[1][t] + kz[t] * F[2][t]) * inverse[t],
+                   d = (kx * D[0][t] + ky * D[1][t] + kz[t] * D[2][t]) * inverse[t];
+      const double k[3]{kx, ky, kz[t]};
+      const double K = row.scale * row.decay[begin + t] * (1 + k2[t] * width) * inverse[t];
+      for (int c = 0; c < 3; ++c) {
+        const double size = K * k2[t] / 6;
+        F[c][t] -= f * k[c];
+        D[c][t] = K * F[c][t] - size * (D[c][t] - d * k[c]);
+        F[c][t] *= size;
+      }
+    }
+    for (int f = 0; f < fields; ++f) {
+      const auto [p, q] = factors[f];
+      for (int c = 0; c < 3; ++c) {
+        double* const flow = values[3 * f + c] + begin;
+        for (int t = 0; t < n; ++t) flow[t] = p * D[c][t] - q * F[c][t];
+      }
+    }
+  }
+}
+
 void spread_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* numbers,
                     double* const* onto) {
   with_window(

@@ -62,15 +62,32 @@ struct WindowBeads {
   const double* positions = nullptr;
 };
 
-#define BEADSWIM_DECLARE_MOBILITY_KERNELS(instruction_set)                                               \
-  namespace instruction_set {                                                                            \
-  int find_near_spheres(const SortedSpheres& spheres, int one, int begin, int end, double cutoff,        \
-                        PairBatch& batch);                                                               \
-  void pair_velocities(const PairTable& table, const double* force, PairBatch& batch, double* velocity); \
-  void spread_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* numbers,           \
-                      double* const* onto);                                                              \
-  void gather_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* const* from,       \
-                      double* numbers);                                                                  \
+/// A row of wavevectors (kx, ky, kz) of a mesh. Their Fourier modes are stored as real numbers: the real and
+/// the imaginary part of each.
+struct WaveRow {
+  long numbers = 0;               ///< two per wavevector
+  double kx = 0, ky = 0;          ///< [1/length]
+  const double* kz = nullptr;     ///< of each number [1/length]
+  double xi = 0;                  ///< splitting parameter [1/length]
+  double scale = 0;               ///< factor of the flow [length time/mass]
+  const double* decay = nullptr;  ///< another factor, of each number
+};
+
+/// Factors of a field of sources in the sums F and D (multiply_waves).
+struct FieldFactors {
+  double p = 0, q = 0;
+};
+
+#define BEADSWIM_DECLARE_MOBILITY_KERNELS(instruction_set)                                                 \
+  namespace instruction_set {                                                                              \
+  int find_near_spheres(const SortedSpheres& spheres, int one, int begin, int end, double cutoff,          \
+                        PairBatch& batch);                                                                 \
+  void pair_velocities(const PairTable& table, const double* force, PairBatch& batch, double* velocity);   \
+  void spread_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* numbers,             \
+                      double* const* onto);                                                                \
+  void gather_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* const* from,         \
+                      double* numbers);                                                                    \
+  void multiply_waves(const WaveRow& row, int fields, const FieldFactors* factors, double* const* values); \
   }
 
 BEADSWIM_DECLARE_MOBILITY_KERNELS(baseline)
@@ -92,6 +109,17 @@ struct MobilityKernels {
   /// Adds to the three values of each bead the sums of the mesh values, multiplied by the weights of its
   /// window.
   void (*gather_windows)(const WindowMesh&, const WindowBeads&, const double* const* from, double* numbers);
+  // clang-format off
+  /// Replaces the Fourier modes of the sources of each field by those of their flow. `values`: three components
+  /// per field.
+  ///
+  ///   F = sum p_f V_f,   D = sum q_f V_f              V_f: source of the field f, without its part along k
+  ///   V_f <- K [p_f (F - k^2/6 D) - q_f k^2/6 F]      K = scale decay (1 + k^2/(4 xi^2))/k^2, 0 for k = 0
+  ///
+  /// K is the far part of the Oseen tensor (ewald_split.hpp), without the part of its Gaussian that the windows
+  /// apply.
+  // clang-format on
+  void (*multiply_waves)(const WaveRow&, int fields, const FieldFactors* factors, double* const* values);
 };
 
 /// Returns the kernels of the best instruction set that this processor supports.

@@ -75,10 +75,8 @@ struct ParticleMesh::Mesh {
   void transform_forces();
   void multiply(FlowPart part);
   void set_memory();
+  std::vector<FieldFactors> field_factors() const;
   void multiply_periodic();
-  void multiply_classes();
-  template <class Kernel>
-  void for_each_kernel(const Kernel& kernel) const;
   void multiply_open();
 };
 
@@ -356,22 +354,28 @@ void ParticleMesh::Mesh::transform_forces() {
 }
 
 void ParticleMesh::Mesh::multiply(FlowPart part) {
-  if (!is_periodic) {
-    multiply_open();
-  } else if (classes && fields > 1) {
-    multiply_classes();
-  } else {
+  if (is_periodic) {
     multiply_periodic();
+  } else {
+    multiply_open();
   }
   if (memory) memory->add_flow(values, part == FlowPart::all);
   for (auto& field : values)
     for (FftwArray& component : field) transform->backward(component);
 }
 
-/// Calls kernel(place, k, k2, factor) for each wavevector k of this rank, with k2 = k^2 and the factor of the
-/// flow of point forces; the factor is 0 for k = 0, so that the mean flow is zero.
-template <class Kernel>
-void ParticleMesh::Mesh::for_each_kernel(const Kernel& kernel) const {
+/// Returns the factors of each field in F and in D.
+std::vector<FieldFactors> ParticleMesh::Mesh::field_factors() const {
+  if (fields == 1) return {{1, shared_size / 2}};
+  if (!classes) return {{1, 0}, {0, 1}};
+  std::vector<FieldFactors> factors;
+  for (const SourceClass& each : classes->classes())
+    factors.push_back({1, 6 * size_factors[each.degree] * each.radius * each.radius});
+  return factors;
+}
+
+/// Replaces the Fourier modes of the sources in a periodic box by those of their flow.
+void ParticleMesh::Mesh::multiply_periodic() {
   const auto& n = geometry.points;
   std::array<double, 3> wave;                // wavenumber per index
   std::array<std::vector<double>, 3> decay;  // factor of the kernel's Gaussian, by the magnitude of the index
@@ -380,53 +384,26 @@ void ParticleMesh::Mesh::for_each_kernel(const Kernel& kernel) const {
     const double exponent = (1 - share_of(plan, geometry, a)) * wave[a] * wave[a] / (4 * plan.xi * plan.xi);
     for (int i = 0; i <= n[a] / 2; ++i) decay[a].push_back(std::exp(-exponent * i * i));
   }
+  const std::vector<FieldFactors> factors = field_factors();
+  std::vector<double> kz, decay_z;
+  for (int l = 0; l < geometry.row_length; ++l) {
+    kz.push_back(l / 2 * wave[2]);
+    decay_z.push_back(decay[2][l / 2]);
+  }
   const double scale = 1 / (double(n[0]) * n[1] * n[2]);  // h^3/V: mesh cell over box volume
-  transform->for_each_wave([&](std::ptrdiff_t place, int i, int j, int l) {
-    const Vec3 k(i * wave[0], j * wave[1], l * wave[2]);
-    const double k2 = k.squaredNorm();
-    if (k2 == 0) return kernel(place, Vec3(1, 0, 0), 1.0, 0.0);
-    const double decays = decay[0][std::abs(i)] * decay[1][std::abs(j)] * decay[2][l];
-    kernel(place, k, k2, scale * far_spectrum(plan.xi, k2, decays, beads.viscosity));
-  });
-}
-
-void ParticleMesh::Mesh::multiply_periodic() {
-  for_each_kernel([&](std::ptrdiff_t place, const Vec3& k, double k2, double factor) {
-    std::array<Complex*, 3> force, second;
-    for (int c = 0; c < 3; ++c) {
-      force[c] = as_complex(values[0][c]) + place;
-      second[c] = fields == 2 ? as_complex(values[1][c]) + place : nullptr;
-    }
-    const auto F = transverse(k, k2, std::array{*force[0], *force[1], *force[2]});
-    if (fields == 1) {
-      for (int c = 0; c < 3; ++c) *force[c] = factor * (1 - shared_size * k2 / 6) * F[c];
-      return;
-    }
-    const auto D = transverse(k, k2, std::array{*second[0], *second[1], *second[2]});
-    for (int c = 0; c < 3; ++c) {
-      *force[c] = factor * (F[c] - k2 / 6 * D[c]);
-      *second[c] = -factor * k2 / 6 * F[c];
-    }
-  });
-}
-
-void ParticleMesh::Mesh::multiply_classes() {
-  std::vector<double> sizes;  // 6 c_l a^2 of each class
-  for (const SourceClass& each : classes->classes())
-    sizes.push_back(6 * size_factors[each.degree] * each.radius * each.radius);
-  for_each_kernel([&](std::ptrdiff_t place, const Vec3& k, double k2, double factor) {
-    std::array<Complex, 3> sum{}, sized{};
-    for (std::size_t f = 0; f < fields; ++f) {
-      for (int c = 0; c < 3; ++c) {
-        const Complex value = as_complex(values[f][c])[place];
-        sum[c] += value;
-        sized[c] += sizes[f] * value;
-      }
-    }
-    const auto F = transverse(k, k2, sum), D = transverse(k, k2, sized);
+  std::vector<double*> rows(3 * fields);
+  transform->for_each_row([&](std::ptrdiff_t place, int i, int j) {
     for (std::size_t f = 0; f < fields; ++f)
-      for (int c = 0; c < 3; ++c)
-        as_complex(values[f][c])[place] = factor * (F[c] - k2 / 6 * (D[c] + sizes[f] * F[c]));
+      for (int c = 0; c < 3; ++c) rows[3 * f + c] = values[f][c].get() + 2 * place;
+    mobility_kernels().multiply_waves(
+        {.numbers = geometry.row_length,
+         .kx = i * wave[0],
+         .ky = j * wave[1],
+         .kz = kz.data(),
+         .xi = plan.xi,
+         .scale = scale * decay[0][std::abs(i)] * decay[1][std::abs(j)] / beads.viscosity,
+         .decay = decay_z.data()},
+        static_cast<int>(fields), factors.data(), rows.data());
   });
 }
 

@@ -75,14 +75,6 @@ inline double far_self_mobility(double xi, double squared_radius, double viscosi
          (8 * std::numbers::pi * viscosity);
 }
 
-/// Evaluates (1 + k^2/(4 xi^2)) decay/(eta k^2), the scalar factor of the far part in Fourier space, for the
-/// squared wavenumber k2 = k^2 > 0 [1/length^2]. The complete far part has decay = exp(-k^2/(4 xi^2)). The
-/// Gaussian windows of the mesh apply a share of this exponent, and the argument `decay` contains the
-/// remaining share (particle_mesh.hpp).
-inline double far_spectrum(double xi, double k2, double decay, double viscosity) {
-  return (1 + k2 / (4 * xi * xi)) * decay / (viscosity * k2);
-}
-
 // clang-format off
 /// Evaluates the kernel of the mesh in open space at the distance r of two beads: the far part of the
 /// mobility tensor without the factor exp(-share k^2/(4 xi^2)), which the Gaussian windows of the mesh apply
