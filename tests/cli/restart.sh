@@ -41,9 +41,12 @@ refuses '^beadswim-run: --tolerance: .* a restart continues with its model and s
   beadswim-run --restart kept.h5md --cycles 3 --tolerance 0.1
 run beadswim-run layout.json --plan --tolerance 5
 check "a smaller box is proposed" holds '.proposals | length == 1' out
-run beadswim-run --restart kept.h5md --plan --tolerance 5
+run beadswim-run --restart kept.h5md --plan --tolerance 5 --cycles 3
 has_status 0
 check "a restart changes neither scene nor settings" holds '(.runs | length == 1) and .proposals == [] and (.runs[0].flags | test("single") | not)' out
+run beadswim-run --restart kept.h5md --plan --cycles 1
+has_status 2
+err_has '^beadswim-run: --plan: no model can run .* --cycles: .*the checkpoint is already at cycle 2\.5; give more cycles'
 run small 2 --restart kept.h5md --cycles 3
 has_status 0
 cp out gone.json

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
 
 namespace beadswim {
@@ -37,7 +40,7 @@ void for_each_point(const MeshTransform& transform, const Points& n, const Visit
 // Odd edges, and fewer planes than ranks.
 TEST(MeshTransform, IsTheFourierTransform) {
   const Communicator world(MPI_COMM_WORLD);
-  for (const Points& n : {Points{6, 9, 8}, {7, 4, 5}, {2, 10, 3}, {10, 2, 4}}) {
+  for (const Points& n : {Points{6, 9, 8}, {7, 4, 5}, {2, 10, 3}, {10, 2, 4}, {2, 2, 4}}) {
     const MeshTransform transform(n, world);
     const FftwArray values = transform.array();
     for_each_point(transform, n,

@@ -1,5 +1,6 @@
 #include "beadswim/plan/run_plan.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -93,6 +94,24 @@ TEST(RunPlan, HasNoChoiceWhereNoRunIsWithinTheTolerance) {
   const RunPlan plan = plan_of(request, communicator);
   EXPECT_FALSE(plan.choice);
   EXPECT_TRUE(plan.best);
+}
+
+/// Catches costs of restarts that are those of the whole run.
+TEST(RunPlan, CountsTheStepsThatARestartHasLeft) {
+  const Communicator communicator(MPI_COMM_WORLD);
+  PlanRequest request = lattice_request(communicator);
+  request.precision = Precision::fp32;
+  request.settings.lattice.cells_per_radius = 4;
+  request.settings.lattice.relaxation_time = 1;
+  request.settings.lattice.refinement = 0;
+  const auto run_after = [&](long steps_done) {
+    request.steps_done = steps_done;
+    return plan_of(request, communicator).runs.at(0);
+  };
+  const double whole = run_after(0).core_seconds, first = whole - run_after(500).core_seconds;
+  EXPECT_GT(first, 0);
+  EXPECT_NEAR(whole - run_after(1000).core_seconds, 2 * first, 1e-9 * whole);
+  EXPECT_THAT(run_after(1000000000).refused, testing::HasSubstr("give more cycles"));
 }
 
 /// Catches a measurement of the machine for runs that cannot be.

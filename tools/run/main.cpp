@@ -21,8 +21,9 @@ using namespace beadswim;
 /// Implements the flag --plan: prints expected errors and costs of all possible runs. Throws InputError if no
 /// run has an expected error within the tolerance. Collective.
 int report_plan(const LayoutDocument& document, const Request& request, const Communicator& communicator) {
-  const RunPlan plan =
-      plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
+  PlanRequest wanted = plan_request(request.options, communicator);
+  wanted.steps_done = request.steps_done;
+  const RunPlan plan = plan_run(document.layout, wanted, request.source(), communicator);
   if (communicator.is_root()) {
     print_to_stderr(plan_table(plan, request.options, communicator));
     write_text("-", dump_json(plan_to_json(plan, request.options, communicator)));

@@ -8,6 +8,7 @@
 #include "beadswim/core/rank_failure.hpp"
 #include "beadswim/io/xdmf.hpp"
 #include "beadswim/plan/percent.hpp"
+#include "beadswim/plan/run_length.hpp"
 #include "beadswim/tools/program.hpp"
 #include "checkpoints.hpp"
 #include "planning/plan_flags.hpp"
@@ -23,14 +24,9 @@ namespace {
 /// instead: the request then loses its checkpoint.
 void check_steps_left(const ModelPlan& plan, Request& request) {
   const double cycles = plan.options.settings.cycles;
-  const long done = request.steps_done;
-  if (done == 0 || done < plan.steps_in(cycles)) return;
-  if (request.name.empty())
-    throw InputError(
-        "--cycles",
-        fmt::format("the number of cycles, {}, is too small, because the checkpoint is already "
-                    "at cycle {:.6g}; give more cycles",
-                    cycles, static_cast<double>(done) / static_cast<double>(plan.steps_per_cycle)));
+  const long steps = plan.steps_in(cycles), done = request.steps_done;
+  if (done < steps) return;
+  if (request.name.empty()) require_steps_left(cycles, steps, done, plan.steps_per_cycle);
   request.checkpoint.reset();
   request.steps_done = 0;
 }

@@ -135,11 +135,12 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
     for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);
     const long steps_per_cycle = on_lattice.lattice.steps_per_period;
     const long steps = total_steps(settings.cycles, steps_per_cycle);
+    require_steps_left(settings.cycles, steps, request.steps_done, steps_per_cycle);
     const double mach = mach_of(on_lattice, facts);
     const double roundoff = velocity_roundoff(on_lattice.scene, steps_per_cycle, steps);
     if (!speed) speed = request.lattice_speed();
     run.error = lattice_scene_errors(on_lattice, facts, roundoff).total();
-    add_cost(run, on_lattice, *speed, steps, communicator);
+    add_cost(run, on_lattice, *speed, steps - request.steps_done, communicator);
     wrong = lattice_obstacle(on_lattice, mach, roundoff);
   });
   if (run.refused.empty()) run.refused = wrong;

@@ -39,18 +39,23 @@ double mesh_fields(const OverdampedScene& scene) {
 
 /// Returns the memory for the mesh and the modes of a fluid with memory [byte].
 double mesh_bytes(const OverdampedScene& scene) {
-  return scene.memory ? (24 * mesh_fields(scene) + 75) * mesh_points(scene) : 0;
+  if (!scene.memory) return 0;
+  const double bytes_per_point = 24 * mesh_fields(scene) + (scene.memory->has_reynolds_stress ? 90 : 42);
+  return bytes_per_point * mesh_points(scene);
 }
 
 /// Returns the cost with memory of the fluid, without measuring it on a large mesh. The numbers are from runs
-/// of the paper's swarm (docs/performance.md).
+/// of 540 and 11,520 swimmers (docs/speed-against-error.md, docs/performance.md).
 StepCost estimated_cost(const OverdampedScene& scene) {
-  // Computing time of one sum, per mesh point and field, and per bead [core-seconds]
-  constexpr double seconds_per_point = 1.1e-7;
+  // Computing time of one sum, per mesh point and field, and per bead [core-seconds]. It increases with the
+  // size of the mesh, which exceeds the caches.
+  const double seconds_per_point = 4.5e-8 * std::pow(mesh_points(scene) / 2e5, 0.15);
   constexpr std::array<double, 3> seconds_per_bead{2e-6, 2e-5, 5e-5};
   const double sum = seconds_per_point * mesh_points(scene) * mesh_fields(scene) +
                      seconds_per_bead[scene.moment_order] * static_cast<double>(bead_radii(scene).size());
-  return {.product = (scene.moment_order == 0 ? 1 : 1.3) * sum, .end_of_step = 1.3 * sum};
+  // Moments are found by iteration, in each product and at the end of each step.
+  if (scene.moment_order > 0) return {.product = 1.5 * sum, .end_of_step = 1.7 * sum};
+  return {.product = sum, .end_of_step = (scene.memory->has_reynolds_stress ? 1.3 : 0.6) * sum};
 }
 
 /// Measures the cost of products with forces that oscillate. Collective.
@@ -98,7 +103,8 @@ std::string mobility_obstacle(const SceneFacts& facts) {
 
 /// Sets the cost of the candidate `run`: core-seconds for products of mobility matrix and forces and for
 /// other work of each step, memory and disk space (docs/method/mobility-swarms.md, docs/performance.md).
-void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator& communicator) {
+void add_cost(PlannedRun& run, const OverdampedSetup& setup, long steps_done,
+              const Communicator& communicator) {
   const bool has_dashpots = std::ranges::any_of(setup.scene.types, [](const SwimmerType& type) {
     return std::ranges::any_of(type.bonds, [](const Bond& bond) { return bond.damping > 0; });
   });
@@ -112,7 +118,9 @@ void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator&
   constexpr std::array<double, 3> bytes_of_moments{0, 2000, 4000};  // per bead or mirror image, on each rank
   const std::size_t beads = bead_radii(setup.scene).size();
   const double swimmers = static_cast<double>(beads) / 3;  // of three beads each
-  const double steps = static_cast<double>(total_steps(run.settings.cycles, setup.steps_per_cycle));
+  const long all_steps = total_steps(run.settings.cycles, setup.steps_per_cycle);
+  require_steps_left(run.settings.cycles, all_steps, steps_done, setup.steps_per_cycle);
+  const double steps = static_cast<double>(all_steps - steps_done);
   constexpr double max_measured_points = 1e5;
   const bool is_large = setup.scene.memory && mesh_points(setup.scene) > max_measured_points;
   const StepCost cost = is_large ? estimated_cost(setup.scene) : measured_cost(setup.scene, communicator);
@@ -141,7 +149,7 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
     if (const double needed = mesh_bytes(setup.scene); needed > installed_bytes())
       throw InputError(fmt::format(
           "the mesh of the fluid's memory needs {:.3g} GB, more than this machine has", 1e-9 * needed));
-    add_cost(run, setup, communicator);
+    add_cost(run, setup, request.steps_done, communicator);
   });
   return run;
 }

@@ -21,6 +21,16 @@ long total_steps(double cycles, long steps_per_cycle) {
   return std::max(1L, std::lround(steps));
 }
 
+void require_steps_left(double cycles, long steps, long steps_done, long steps_per_cycle) {
+  if (steps_done < steps) return;
+  throw InputError(
+      Setting::cycles,
+      fmt::format(
+          "the number of cycles, {}, is too small, because the checkpoint is already at cycle {:.6g}; "
+          "give more cycles",
+          cycles, static_cast<double>(steps_done) / static_cast<double>(steps_per_cycle)));
+}
+
 long steps_between(double cycles, long steps_per_cycle) {
   constexpr double never = 1e15;
   const double steps = cycles * static_cast<double>(steps_per_cycle);

@@ -21,6 +21,11 @@ double form_factor(int degree, double x) {
   return degree == 1 ? 3 * std::sph_bessel(1, x) / x : 15 * std::sph_bessel(2, x) / (x * x);
 }
 
+/// Removes from the Fourier mode f with the wavevector k its part along k.
+Eigen::Vector3cd transverse(const Vec3& k, const Eigen::Vector3cd& f) {
+  return f - k * (k.dot(f) / k.squaredNorm());
+}
+
 }  // namespace
 
 MemoryField::MemoryField(const Law& law, const MeshTransform& transform) : law_(law), transform_(transform) {
@@ -67,7 +72,7 @@ void MemoryField::read_forces(Values values) {
         force += forms[f] * as_complex(values[f][c])[mode.place];
       steady[c] = mode.unit * force;
     }
-    steady_[m] = transverse(mode.k, mode.k.squaredNorm(), steady);
+    steady_[m] = transverse(mode.k, steady);
   }
 }
 
@@ -131,7 +136,7 @@ void MemoryField::add_reynolds_stress(std::span<const Velocity> flow, const Vec3
     const Mode& mode = modes_[m];
     Velocity stress;
     for (int c = 0; c < 3; ++c) stress[c] = scale * as_complex(velocity_and_curl_[c])[mode.place];
-    stress = transverse(mode.k, mode.k.squaredNorm(), stress);
+    stress = transverse(mode.k, stress);
     remaining_flow_[m] += law_.fluid.step / law_.fluid.density *
                           (mode.delay * stress + mode.ramp * (stress - previous_stress_[m]));
     previous_stress_[m] = stress;

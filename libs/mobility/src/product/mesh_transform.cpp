@@ -1,6 +1,7 @@
 #include "mesh_transform.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <new>
 
 namespace beadswim {
@@ -19,9 +20,9 @@ FftwArray allocate(std::ptrdiff_t reals) {
 }  // namespace
 
 /// Returns the parts of all ranks; they differ by one plane at most.
-std::vector<MeshTransform::Part> MeshTransform::parts(int planes) const {
+std::vector<MeshTransform::Planes> MeshTransform::parts(int planes) const {
   const std::int64_t ranks = communicator_.size();
-  std::vector<Part> parts;
+  std::vector<Planes> parts;
   for (std::int64_t r = 0; r < ranks; ++r) {
     const int first = static_cast<int>(planes * r / ranks), end = static_cast<int>(planes * (r + 1) / ranks);
     parts.push_back({first, end - first});
@@ -34,10 +35,10 @@ MeshTransform::MeshTransform(const std::array<int, 3>& points, const Communicato
       communicator_(communicator),
       rank_(communicator.rank()),
       planes_(parts(points[0])),
-      waves_(parts(points[1])),
+      wave_planes_(parts(points[1])),
       row_(points[2] / 2 + 1),
-      max_rows_(
-          std::max(std::ptrdiff_t{planes()} * points[1], std::ptrdiff_t{waves_[rank_].count} * points[0])) {
+      max_rows_(std::max(std::ptrdiff_t{planes()} * points[1],
+                         std::ptrdiff_t{wave_planes_[rank_].count} * points[0])) {
   const auto [nx, ny, nz] = points;
   const int row = static_cast<int>(row_);
   for (FftwArray& plane : scratch_) plane = allocate(2 * row_ * std::max(nx, ny));
@@ -66,11 +67,12 @@ FftwArray MeshTransform::array() const {
   return allocate(reals());
 }
 
-/// Calls copy(plane, message, count) for each run of consecutive Fourier modes that are sent to one rank:
-/// indices of the first of them in an array and in the messages, which are in the order of the ranks.
+/// Calls copy(in_array, in_messages, count) for each piece of a message, which contains the Fourier modes of
+/// one plane that are sent to one rank: indices of the first mode in an array and in the messages to all
+/// ranks, number of modes.
 template <class Copy>
-void MeshTransform::for_each_message(const Copy& copy) const {
-  for (const Part& to : waves_)
+void MeshTransform::for_each_piece(const Copy& copy) const {
+  for (const Planes& to : wave_planes_)
     for (int i = 0; i < planes(); ++i)
       copy((std::ptrdiff_t{i} * points_[1] + to.first) * row_,
            (std::ptrdiff_t{planes()} * to.first + std::ptrdiff_t{i} * to.count) * row_, to.count * row_);
@@ -79,14 +81,14 @@ void MeshTransform::for_each_message(const Copy& copy) const {
 /// Exchanges rows among all ranks. A rank owns the planes before[rank] before the exchange and after[rank]
 /// after it. The rows in `from` are in the order of their receivers, those in `to` in the order of their
 /// senders.
-void MeshTransform::exchange(const FftwArray& from, const std::vector<Part>& before, const FftwArray& to,
-                             const std::vector<Part>& after) const {
+void MeshTransform::exchange(const FftwArray& from, const std::vector<Planes>& before, const FftwArray& to,
+                             const std::vector<Planes>& after) const {
   std::vector<int> sent, first_sent, received, first_received;
-  for (const Part& part : after) {
+  for (const Planes& part : after) {
     sent.push_back(before[rank_].count * part.count);
     first_sent.push_back(before[rank_].count * part.first);
   }
-  for (const Part& part : before) {
+  for (const Planes& part : before) {
     received.push_back(after[rank_].count * part.count);
     first_received.push_back(after[rank_].count * part.first);
   }
@@ -99,18 +101,18 @@ void MeshTransform::exchange(const FftwArray& from, const std::vector<Part>& bef
 }
 
 void MeshTransform::forward(const FftwArray& a) const {
-  const std::ptrdiff_t plane = points_[1] * row_;
+  const std::ptrdiff_t plane_size = points_[1] * row_;
   for (int i = 0; i < planes(); ++i) {
-    Complex* const own = as_complex(a) + i * plane;
+    Complex* const own = as_complex(a) + i * plane_size;
     fftw_execute_dft_r2c(forward_.along_z.get(), reinterpret_cast<double*>(own),
                          fftw(as_complex(scratch_[1])));
     fftw_execute_dft(forward_.along_y.get(), fftw(as_complex(scratch_[1])), fftw(own));
   }
   if (exchanged_) {
-    for_each_message([&](std::ptrdiff_t plane, std::ptrdiff_t message, std::ptrdiff_t count) {
-      std::copy_n(as_complex(a) + plane, count, as_complex(exchanged_) + message);
+    for_each_piece([&](std::ptrdiff_t in_array, std::ptrdiff_t in_messages, std::ptrdiff_t count) {
+      std::copy_n(as_complex(a) + in_array, count, as_complex(exchanged_) + in_messages);
     });
-    exchange(exchanged_, planes_, a, waves_);
+    exchange(exchanged_, planes_, a, wave_planes_);
   }
   transform_along_x(forward_.along_x, a);
 }
@@ -118,15 +120,15 @@ void MeshTransform::forward(const FftwArray& a) const {
 void MeshTransform::backward(const FftwArray& a) const {
   transform_along_x(backward_.along_x, a);
   if (exchanged_) {
-    exchange(a, waves_, exchanged_, planes_);
-    for_each_message([&](std::ptrdiff_t plane, std::ptrdiff_t message, std::ptrdiff_t count) {
-      std::copy_n(as_complex(exchanged_) + message, count, as_complex(a) + plane);
+    exchange(a, wave_planes_, exchanged_, planes_);
+    for_each_piece([&](std::ptrdiff_t in_array, std::ptrdiff_t in_messages, std::ptrdiff_t count) {
+      std::copy_n(as_complex(exchanged_) + in_messages, count, as_complex(a) + in_array);
     });
   }
-  const std::ptrdiff_t plane = points_[1] * row_;
+  const std::ptrdiff_t plane_size = points_[1] * row_;
   for (int i = 0; i < planes(); ++i) {
-    Complex* const own = as_complex(a) + i * plane;
-    std::copy_n(own, plane, as_complex(scratch_[0]));
+    Complex* const own = as_complex(a) + i * plane_size;
+    std::copy_n(own, plane_size, as_complex(scratch_[0]));  // faster than reading columns from memory
     fftw_execute(backward_.along_y.get());
     fftw_execute_dft_c2r(backward_.along_z.get(), fftw(as_complex(scratch_[1])),
                          reinterpret_cast<double*>(own));
@@ -135,8 +137,8 @@ void MeshTransform::backward(const FftwArray& a) const {
 
 /// Transforms along the first axis, one plane of wavevectors after the other.
 void MeshTransform::transform_along_x(const FftwPlan& lines, const FftwArray& a) const {
-  const std::ptrdiff_t stride = waves_[rank_].count * row_;
-  for (int j = 0; j < waves_[rank_].count; ++j) {
+  const std::ptrdiff_t stride = wave_planes_[rank_].count * row_;
+  for (int j = 0; j < wave_planes_[rank_].count; ++j) {
     Complex* const own = as_complex(a) + j * row_;
     for (int i = 0; i < points_[0]; ++i)
       std::copy_n(own + i * stride, row_, as_complex(scratch_[0]) + i * row_);

@@ -159,8 +159,8 @@ void multiply_waves(const WaveRow& row, int fields, const FieldFactors* factors,
   constexpr int chunk = 64;
   double k2[chunk], inverse[chunk], F[3][chunk], D[3][chunk];
   const double kx = row.kx, ky = row.ky, width = 1 / (4 * row.xi * row.xi);
-  for (long begin = 0; begin < row.numbers; begin += chunk) {
-    const int n = row.numbers - begin < chunk ? static_cast<int>(row.numbers - begin) : chunk;
+  for (long begin = 0; begin < row.count; begin += chunk) {
+    const int n = row.count - begin < chunk ? static_cast<int>(row.count - begin) : chunk;
     const double* const kz = row.kz + begin;
     for (int t = 0; t < n; ++t) {
       k2[t] = kx * kx + ky * ky + kz[t] * kz[t];

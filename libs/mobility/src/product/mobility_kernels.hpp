@@ -4,9 +4,10 @@
 
 #include "beadswim/core/kernel_choice.hpp"
 
-// Kernels of a mobility product: sums over pairs of spheres, and the exchange between beads and a mesh by
-// Gaussian windows. mobility_kernels.cpp is compiled once per instruction set; mobility_kernels() selects one
-// at run time. Arguments are plain arrays, with three components per vector unless stated otherwise.
+// Kernels of a mobility product: sums over pairs of spheres, the exchange between beads and a mesh by
+// Gaussian windows, and the flow of Fourier modes of forces. mobility_kernels.cpp is compiled once per
+// instruction set; mobility_kernels() selects one at run time. Arguments are plain arrays, with three
+// components per vector unless stated otherwise.
 
 namespace beadswim {
 
@@ -65,17 +66,18 @@ struct WindowBeads {
 /// A row of wavevectors (kx, ky, kz) of a mesh. Their Fourier modes are stored as real numbers: the real and
 /// the imaginary part of each.
 struct WaveRow {
-  long numbers = 0;               ///< two per wavevector
+  long count = 0;                 ///< real numbers, two per wavevector
   double kx = 0, ky = 0;          ///< [1/length]
   const double* kz = nullptr;     ///< of each number [1/length]
   double xi = 0;                  ///< splitting parameter [1/length]
-  double scale = 0;               ///< factor of the flow [length time/mass]
-  const double* decay = nullptr;  ///< another factor, of each number
+  double scale = 0;               ///< mesh cell/box volume/viscosity, times the Gaussian along x and y
+  const double* decay = nullptr;  ///< Gaussian along z, of each number
 };
 
 /// Factors of a field of sources in the sums F and D (multiply_waves).
 struct FieldFactors {
-  double p = 0, q = 0;
+  double p = 0;  ///< in F
+  double q = 0;  ///< in D [length^2]
 };
 
 #define BEADSWIM_DECLARE_MOBILITY_KERNELS(instruction_set)                                                 \
@@ -116,8 +118,8 @@ struct MobilityKernels {
   ///   F = sum p_f V_f,   D = sum q_f V_f              V_f: source of the field f, without its part along k
   ///   V_f <- K [p_f (F - k^2/6 D) - q_f k^2/6 F]      K = scale decay (1 + k^2/(4 xi^2))/k^2, 0 for k = 0
   ///
-  /// K is the far part of the Oseen tensor (ewald_split.hpp), without the part of its Gaussian that the windows
-  /// apply.
+  /// K contains the far part of the Oseen tensor (ewald_split.hpp), without the part of its Gaussian that the
+  /// windows apply.
   // clang-format on
   void (*multiply_waves)(const WaveRow&, int fields, const FieldFactors* factors, double* const* values);
 };

@@ -28,9 +28,9 @@ std::array<Complex, 3> times(const std::array<T, 6>& t, const std::array<Complex
 
 }  // namespace
 
-// If all beads have one radius and only forces act, one field is transformed: the forces F. Its kernel
-// contains the term with the Laplacian. Otherwise a second field D is transformed: the forces times a_j^2,
-// where a_j is the radius of the bead on which the force acts. The velocity of bead i is then
+// If all beads have one radius a and only forces act, one field is transformed: the forces F, with D = a^2 F.
+// Otherwise a second field D is transformed: the forces times a_j^2, where a_j is the radius of the bead on
+// which the force acts. The velocity of bead i is then
 //
 //   u_i = (K F + L D) + a_i^2 (L F),     K: kernel of the Oseen tensor, L: kernel of its Laplacian/6
 //
@@ -392,18 +392,18 @@ void ParticleMesh::Mesh::multiply_periodic() {
   }
   const double scale = 1 / (double(n[0]) * n[1] * n[2]);  // h^3/V: mesh cell over box volume
   std::vector<double*> rows(3 * fields);
+  const auto multiply = mobility_kernels().multiply_waves;
   transform->for_each_row([&](std::ptrdiff_t place, int i, int j) {
     for (std::size_t f = 0; f < fields; ++f)
       for (int c = 0; c < 3; ++c) rows[3 * f + c] = values[f][c].get() + 2 * place;
-    mobility_kernels().multiply_waves(
-        {.numbers = geometry.row_length,
-         .kx = i * wave[0],
-         .ky = j * wave[1],
-         .kz = kz.data(),
-         .xi = plan.xi,
-         .scale = scale * decay[0][std::abs(i)] * decay[1][std::abs(j)] / beads.viscosity,
-         .decay = decay_z.data()},
-        static_cast<int>(fields), factors.data(), rows.data());
+    multiply({.count = geometry.row_length,
+              .kx = i * wave[0],
+              .ky = j * wave[1],
+              .kz = kz.data(),
+              .xi = plan.xi,
+              .scale = scale * decay[0][std::abs(i)] * decay[1][std::abs(j)] / beads.viscosity,
+              .decay = decay_z.data()},
+             static_cast<int>(fields), factors.data(), rows.data());
   });
 }
 

@@ -32,6 +32,7 @@ struct PlanRequest {
   std::optional<double> tolerance;  ///< largest accepted relative error; nullopt: 0.03
   bool has_advice = false;          ///< true: RunPlan::hard and RunPlan::proposals are filled
   bool may_change_scene = true;     ///< false: RunPlan::proposals stays empty
+  long steps_done = 0;              ///< time steps that a restart does not repeat
 
   /// Throws InputError if the user has set an option that has no effect in a run with these settings.
   std::function<void(const RunSettings&)> require_choices_apply;
