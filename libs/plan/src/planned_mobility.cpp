@@ -114,7 +114,7 @@ void add_cost(PlannedRun& run, const OverdampedSetup& setup, long steps_done,
   double products_per_step = is_alone ? 1 : has_dashpots ? 2.1 : 1.6;
   if (setup.scene.memory) products_per_step = setup.scene.moment_order == 0 ? 1.1 : 1.2;
   constexpr double first_products = 13, rest_of_step = 1e-5;        // rest_of_step: per swimmer and step [s]
-  constexpr double bytes_in_box = 700, bytes_in_open = 2700;        // per bead, including the mesh [byte]
+  constexpr double bytes_in_box = 800, bytes_in_open = 3100;        // per bead, including the mesh [byte]
   constexpr std::array<double, 3> bytes_of_moments{0, 2000, 4000};  // per bead or mirror image, on each rank
   const std::size_t beads = bead_radii(setup.scene).size();
   const double swimmers = static_cast<double>(beads) / 3;  // of three beads each
