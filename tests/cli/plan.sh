@@ -50,9 +50,9 @@ check "one model is left" holds '[.runs[].model] == ["rpy"]' out
 # --- more is asked than can be had
 run beadswim-run cell.json --plan --tolerance 1e-4
 has_status 2
-err_has '^beadswim-run: --tolerance: no run has an expected error within 0.01 %; the run with the smallest expected error, --model lbm --cells-per-radius 8.*, has .*: raise the tolerance'
+err_has '^beadswim-run: --tolerance: no run has an error limit within 0.01 %; the run with the smallest limit, --model lbm --cells-per-radius 8.*, has .*: raise the tolerance'
 check "the plan is there" holds '.choice == null and .best != null' out
-refuses '^beadswim-run: --tolerance: no run has an expected error' beadswim-run cell.json -o x.h5md --model auto --tolerance 1e-4
+refuses '^beadswim-run: --tolerance: no run has an error limit' beadswim-run cell.json -o x.h5md --model auto --tolerance 1e-4
 refuses '^beadswim-run: --tolerance: ' beadswim-run cell.json -o x.h5md --model auto --tolerance -1
 check "no file is left" test ! -e x.h5md
 

@@ -82,12 +82,13 @@ const PlannedRun& choose_run(const RunPlan& plan, const RunOptions& options) {
   const PlannedRun& best = plan.runs[*plan.best];
   throw InputError(
       "--tolerance",
-      fmt::format("no run has an expected error within {}; the run with the smallest expected error, {}, has "
-                  "an expected error of {}: raise the tolerance to that value{}",
-                  in_percent(plan.tolerance), flags_of(best, options), in_percent(best.error.limit.largest()),
-                  options.restart.empty()
-                      ? ", leave out flags that exclude other runs, or change the scene as --plan proposes"
-                      : ""));
+      fmt::format(
+          "no run has an error limit within {}; the run with the smallest limit, {}, has a limit of {}: "
+          "raise the tolerance to that value{}",
+          in_percent(plan.tolerance), flags_of(best, options), in_percent(best.error.limit.largest()),
+          options.restart.empty()
+              ? ", leave out flags that exclude other runs, or change the scene as --plan proposes"
+              : ""));
 }
 
 }  // namespace beadswim
