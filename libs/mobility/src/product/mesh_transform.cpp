@@ -1,8 +1,9 @@
 #include "mesh_transform.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <new>
+
+#include "beadswim/core/rank_share.hpp"
 
 namespace beadswim {
 namespace {
@@ -21,11 +22,10 @@ FftwArray allocate(std::ptrdiff_t reals) {
 
 /// Returns the parts of all ranks; they differ by one plane at most.
 std::vector<MeshTransform::Planes> MeshTransform::parts(int planes) const {
-  const std::int64_t ranks = communicator_.size();
   std::vector<Planes> parts;
-  for (std::int64_t r = 0; r < ranks; ++r) {
-    const int first = static_cast<int>(planes * r / ranks), end = static_cast<int>(planes * (r + 1) / ranks);
-    parts.push_back({first, end - first});
+  for (int r = 0; r < communicator_.size(); ++r) {
+    const auto [first, end] = rank_share(planes, r, communicator_.size());
+    parts.push_back({static_cast<int>(first), static_cast<int>(end - first)});
   }
   return parts;
 }
