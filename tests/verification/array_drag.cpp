@@ -17,7 +17,6 @@ namespace beadswim::verification {
 /// constant.
 double array_drag(const CubicArray& array, const Vec3& offset, double tau, BeadScheme scheme) {
   constexpr double speed = 1e-6, settled_to = 1e-5;  // of K
-  constexpr double pi = std::numbers::pi;
   const Index3 cells = Index3::Constant(array.edge);
   SpheresInFluid fluid(cells, tau, scheme, {{array.radius, Vec3::Constant(array.edge / 2.0) + offset}});
   fluid.start_fluid(Vec3(speed, 0, 0));
@@ -39,8 +38,6 @@ double array_drag(const CubicArray& array, const Vec3& offset, double tau, BeadS
 }
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 void measure(double phi, int cells_per_diameter, int places, double tau, BeadScheme scheme,
              const Emit& emit) {

@@ -7,6 +7,7 @@
 #include "cases.hpp"
 #include "places.hpp"
 #include "records.hpp"
+#include "references.hpp"
 #include "settling.hpp"
 #include "spheres_in_fluid.hpp"
 
@@ -14,8 +15,6 @@
 
 namespace beadswim::verification {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 struct Line {
   int spheres = 2;

@@ -14,7 +14,6 @@
 namespace beadswim::verification {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double phi = 0.027;
 constexpr double relative_speed = 1e-3;  ///< velocity of the fluid relative to the sphere along x [cell/step]
 

@@ -12,8 +12,6 @@
 namespace beadswim::verification {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// Returns the radius R_h with R_h K(phi_h) = apparent, phi_h = 4/3 pi (R_h/edge)^3, by bisection close to R.
 /// K: drag coefficient of an array.
 double hydrodynamic_radius(double apparent, double radius, int edge) {

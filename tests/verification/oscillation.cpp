@@ -7,6 +7,7 @@
 #include "cases.hpp"
 #include "places.hpp"
 #include "records.hpp"
+#include "references.hpp"
 #include "settling.hpp"
 #include "spheres_in_fluid.hpp"
 
@@ -17,7 +18,6 @@ namespace beadswim::verification {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
 constexpr double box_in_radii = 8;
 
 struct Oscillation {

@@ -8,8 +8,10 @@
 
 namespace beadswim::verification {
 
+constexpr double pi = std::numbers::pi;
+
 /// Volume fraction of a simple-cubic array of spheres that touch, pi/6.
-constexpr double touching_fraction = std::numbers::pi / 6;
+constexpr double touching_fraction = pi / 6;
 
 /// Drag coefficient K of a simple-cubic array of volume fraction phi,
 ///

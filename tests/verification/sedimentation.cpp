@@ -13,8 +13,6 @@
 namespace beadswim::verification {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 struct Fall {
   double phi = 0.027;
   int cells_per_diameter = 8;

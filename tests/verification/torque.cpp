@@ -12,8 +12,6 @@
 namespace beadswim::verification {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 double torque(const CubicArray& array, const Vec3& offset, double tau, BeadScheme scheme) {
   constexpr double rate = 1e-7, settled_to = 1e-5;
   const Index3 cells = Index3::Constant(array.edge);

@@ -7,6 +7,8 @@
 #include "beadswim/io/json.hpp"
 #include "json_pointer.hpp"
 
+template class nlohmann::basic_json<nlohmann::ordered_map>;
+
 namespace beadswim {
 namespace {
 

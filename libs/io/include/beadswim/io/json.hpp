@@ -7,6 +7,9 @@
 
 // Reading of strict JSON, and writing of JSON whose numbers are all finite.
 
+// json_parse.cpp instantiates the members of the type Json once, which shortens the compilation of all files that use it.
+extern template class nlohmann::basic_json<nlohmann::ordered_map>;
+
 namespace beadswim {
 
 /// JSON value whose objects keep their keys in the order in which they were added. Documents are written in
