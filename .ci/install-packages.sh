@@ -13,10 +13,10 @@ packages=(
   libgtest-dev libgmock-dev libsundials-dev                              # tests
   libbenchmark-dev                                                       # beadswim-bench
   librsvg2-bin fonts-dejavu-core                                         # figures as PNG
-  help2man dpkg-dev                                                      # manual pages, Debian package
-  jq python3                                                             # scripts
+  help2man dpkg-dev file                                                 # manual pages, Debian package
+  jq python3 python3-jsonschema                                          # scripts, tests of documents by the schemas
 )
-readers=(python3-pandas python3-h5py python3-mdanalysis python3-jsonschema paraview python3-paraview)
+readers=(python3-pandas python3-h5py python3-mdanalysis paraview python3-paraview)
 readers+=(chromium)                                                      # tests of the page of beadswim-view
 # Node.js builds the page of beadswim-view. A Node.js that was not installed as a Debian package is sufficient, too.
 command -v node >/dev/null && command -v npm >/dev/null || packages+=(nodejs npm)

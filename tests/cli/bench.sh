@@ -19,10 +19,7 @@ check "the yardstick is its own measure" \
 check "bytes" holds '.rows | map(.bytes_per_update == (if .precision == "double" then 304 else 152 end)) | all' bench.json
 check "bandwidth" holds '.bandwidth.in_place_gb_s > 0 and .bandwidth.copy_gb_s > 0' bench.json
 check "bandwidth by ranks" test "$(jq -c '[.bandwidth.by_ranks[].ranks]' bench.json)" = "[1,2]"
-if /usr/bin/python3 -c 'import jsonschema' 2>/dev/null; then
-  check "the document is valid" \
-    /usr/bin/python3 -W ignore -m jsonschema -i bench.json "$BEADSWIM_SOURCE/schemas/bench.schema.json"
-fi
+valid bench bench.json
 
 check "beads are the paper's" test "$(jq -r .bead_boundary bench.json)" = staircase
 run beadswim-bench --edge 32 --precision single --rounds 1 --bead-boundary mr
@@ -47,10 +44,7 @@ cp out products.json
 check "a product each of two sizes, surroundings and ranks" \
   holds '[.mobility_products[] | [.beads, .surroundings, .ranks]] | unique | length == 8' products.json
 check "errors are what was asked for" holds '.mobility_products | (map(.error < 1e-3 and .seconds > 0) | all) and (map(select(.error != null)) | length == 6)' products.json
-if /usr/bin/python3 -c 'import jsonschema' 2>/dev/null; then
-  check "the document is valid" \
-    /usr/bin/python3 -W ignore -m jsonschema -i products.json "$BEADSWIM_SOURCE/schemas/bench.schema.json"
-fi
+valid bench products.json
 run beadswim-bench --beads 90 --rounds 1
 has_status 0
 out_has 'open'

@@ -11,8 +11,9 @@
 #   accepts COMMAND...       runs the command; checks for exit status 0 and nothing on standard error
 #   refuses REGEX COMMAND... runs the command; checks for exit status 2, nothing on standard output, and standard error that
 #                            matches REGEX and begins with the name of the program
+#   valid SCHEMA FILE        checks that python3-jsonschema, a validator of another project, accepts FILE by SCHEMA.schema.json
 #   same_bytes A B           checks that two shell commands, given as text, write the same bytes, and not nothing
-#   skip REASON              ends the script as skipped
+#   skip REASON              ends the script as skipped, or as failed if BEADSWIM_NONE_SKIPPED is set
 #   finish                   ends the script, with exit status 1 if a check failed; must be its last line
 #
 # Each script runs in an empty folder of its own, which is removed at the end.
@@ -88,6 +89,11 @@ refuses() {
   check "standard error does not start with the program's name" grep -qE "^$1: " err
 }
 
+valid() {
+  check "$2 is not valid by the schema of $1" \
+    /usr/bin/python3 -W ignore -m jsonschema -i "$2" "$BEADSWIM_SOURCE/schemas/$1.schema.json"
+}
+
 same_bytes() {
   command_line="$1 | cmp - <($2)"
   bash -o pipefail -c "$1" >out 2>err
@@ -103,6 +109,7 @@ holds() { jq -e "$@" >/dev/null; }
 
 skip() {
   echo "skipped: $1"
+  [ -z "${BEADSWIM_NONE_SKIPPED:-}" ] || exit 1
   exit 77
 }
 

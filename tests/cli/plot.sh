@@ -203,10 +203,8 @@ refuses 'line 1: the prediction by multipole-ode lacks the setting "amplitude_ra
 accepts beadswim-plot stroke run.json prediction.json -o figure.svg
 out_empty
 same_bytes 'cat figure.svg' 'beadswim-plot stroke run.json prediction.json'
-if command -v rsvg-convert >/dev/null; then
-  accepts beadswim-plot stroke run.json prediction.json -o figure.png
-  check 'figure.png is no PNG' test "$(head -c 8 figure.png | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a
-fi
+accepts beadswim-plot stroke run.json prediction.json -o figure.png
+check 'figure.png is no PNG' test "$(head -c 8 figure.png | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a
 run env PATH=/nowhere "$(command -v beadswim-plot)" stroke run.json prediction.json -o other.png
 has_status 2
 err_has '^beadswim-plot: other.png: .*install the package librsvg2-bin'

@@ -179,7 +179,7 @@ test("shows swimmers of any shape", async () => {
   const amplitudes = record("shapes.json").swimmers[0].cycles[1].arm_amplitudes;
   numbers.slice(-3).forEach((amplitude, n) => close(amplitude, amplitudes[n], 1e-3, `d${n + 1}`));
 
-  const disabled = (value) => page.locator(`#colours option[value=${value}]`).isDisabled();
+  const disabled = (value) => page.locator(`#colours option[value=${value}]`).evaluate((option) => option.disabled);
   assert.deepEqual([await disabled("phase"), await disabled("orientation")], [false, true]);
   await page.selectOption("#colours", "phase");
   assert.deepEqual(faults, []);

@@ -3,7 +3,7 @@
 #   tests/view/run.sh MODULES
 # The programs must be on PATH. MODULES is the folder with node_modules that the build has made from tools/view/page. If the
 # browser or Node.js is missing, the exit status is 77 and the last line states the reason. If BEADSWIM_NONE_SKIPPED is set, this is a
-# failure, except for a Node.js that is too old for the driver of the browser.
+# failure.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 modules=$1
@@ -14,11 +14,6 @@ absent() {
   exit 77
 }
 command -v node >/dev/null || absent "no Node.js; install nodejs and npm"
-if [ "$(node -p 'process.versions.node.split(".")[0]')" -lt 20 ]; then
-  echo "skipped: playwright-core needs Node.js 20, which is not among Debian 12's packages; this is $(node --version)"
-  [ "${BEADSWIM_NONE_SKIPPED:-}" ] && exit 0
-  exit 77
-fi
 [ -d "$modules/node_modules/playwright-core" ] || absent "the page was not built: $modules has no node_modules"
 chromium=$(command -v chromium) || absent "no Chromium; .ci/install-packages.sh --with-readers installs it"
 
