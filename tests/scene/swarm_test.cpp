@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ctime>
+#include <limits>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/scene/check.hpp"
@@ -136,6 +138,25 @@ TEST(Reduce, RepeatsToTheScene) {
     });
     EXPECT_EQ(found, 1) << swimmer.id;
   }
+}
+
+// Eight times as many swimmers take about eight times as long. Copies of one swimmer fold onto one place, in
+// which each was compared with all others: 64 times as long.
+TEST(Reduce, TakesLinearTime) {
+  const SwimmerType type = paper_swarm().types.at("a");
+  const auto seconds = [&](int blocks) {
+    SwarmPlan plan = paper_uniform_plan();
+    plan.blocks = Index3(blocks, blocks, blocks);
+    const Layout swarm = swarm_of(plan, type);
+    std::clock_t fastest = std::numeric_limits<std::clock_t>::max();
+    for (int round = 0; round < 3; ++round) {
+      const std::clock_t start = std::clock();
+      EXPECT_EQ(reduce(swarm, 1e-6).layout.swimmers.size(), 1);
+      fastest = std::min(fastest, std::clock() - start);
+    }
+    return static_cast<double>(fastest) / CLOCKS_PER_SEC;
+  };
+  EXPECT_LT(seconds(12), 24 * seconds(6));  // 15,552 and 1944 swimmers
 }
 
 TEST(Reduce, RefusesUnboundedFluid) {

@@ -102,7 +102,7 @@ std::vector<const Swimmer*> extremes(const Layout& cell, const std::vector<const
   const auto force = [&](const Swimmer* swimmer) {
     return largest_driving_force(cell.resolved_type(*swimmer));
   };
-  const auto period = [&](const Swimmer* swimmer) { return cell.resolved_type(*swimmer).driving.period; };
+  const auto period = [&](const Swimmer* swimmer) { return cell.driving_of(*swimmer).period; };
   std::vector<const Swimmer*> selected{all.front()};
   for (const Swimmer* extreme :
        {*std::ranges::max_element(all, {}, force), *std::ranges::min_element(all, {}, force),
@@ -117,8 +117,11 @@ std::vector<Representative> representatives(const Layout& cell) {
   constexpr std::size_t max_drivings = 8;
   std::map<std::string, std::vector<const Swimmer*>> swimmers_by_type;
   std::set<Kind> kinds;
-  for (const Swimmer& swimmer : cell.swimmers)
+  std::set<std::string> known_types;  // whose driving has been seen
+  for (const Swimmer& swimmer : cell.swimmers) {
+    if (!swimmer.driving && !known_types.insert(swimmer.type).second) continue;
     if (kinds.insert(kind_of(cell, swimmer)).second) swimmers_by_type[swimmer.type].push_back(&swimmer);
+  }
   std::vector<Representative> result;
   for (const auto& [type, swimmers] : swimmers_by_type) {
     for (const Swimmer* swimmer : swimmers.size() > max_drivings ? extremes(cell, swimmers) : swimmers)

@@ -13,6 +13,10 @@ Eigen::Matrix3d Swimmer::orientation() const {
   return orientation;
 }
 
+const Driving& Layout::driving_of(const Swimmer& swimmer) const {
+  return swimmer.driving ? *swimmer.driving : types.at(swimmer.type).driving;
+}
+
 SwimmerType Layout::resolved_type(const Swimmer& swimmer) const {
   SwimmerType type = types.at(swimmer.type);
   if (swimmer.driving) type.driving = *swimmer.driving;
@@ -57,7 +61,7 @@ int largest_multiple(const Driving& driving) {
 }  // namespace
 
 double base_period(const Layout& layout) {
-  const auto own = [&](const Swimmer& swimmer) { return layout.resolved_type(swimmer).driving.period; };
+  const auto own = [&](const Swimmer& swimmer) { return layout.driving_of(swimmer).period; };
   const double first = own(layout.swimmers.front());
   if (std::ranges::all_of(layout.swimmers, [&](const Swimmer& s) { return own(s) == first; })) return first;
   return layout.types.at(layout.swimmers.front().type).driving.period;
@@ -66,7 +70,7 @@ double base_period(const Layout& layout) {
 double shortest_period(const Layout& layout) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const Swimmer& swimmer : layout.swimmers) {
-    const Driving driving = layout.resolved_type(swimmer).driving;
+    const Driving& driving = layout.driving_of(swimmer);
     shortest = std::min(shortest, driving.period / largest_multiple(driving));
   }
   return shortest;

@@ -2,59 +2,77 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstdint>
 #include <limits>
+#include <unordered_map>
 
-#include "beadswim/core/cell_list.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 
 namespace beadswim {
 namespace {
 
-/// Finds swimmers in a periodic box by their positions.
+/// Finds swimmers in a periodic box by their positions, in a hash table of small cells. The edge of a cell is
+/// at least five times the tolerance and at least 2^-20 of the edge of the box, or all of it.
 class SwimmerFinder {
  public:
-  SwimmerFinder(const Layout& layout, const Box& box, double tolerance)
-      : layout_(layout),
-        box_(box),
-        tolerance_(tolerance),
-        cells_(positions(layout), tolerance, box.lengths) {}
+  SwimmerFinder(const Layout& layout, double tolerance) : layout_(layout), tolerance_(tolerance) {
+    constexpr double max_count = 1 << 20;
+    counts_ = (box_->lengths / (5 * tolerance)).array().floor().max(1).min(max_count);
+    swimmers_.reserve(layout.swimmers.size());
+  }
 
-  /// Returns the distance from `position` to the nearest swimmer that is equivalent to swimmer `s`, is within
-  /// the tolerance and for which admits(index) is true [length]. Returns infinity if there is no such
-  /// swimmer.
-  double distance_to_twin(std::size_t s, const Vec3& position,
-                          const std::function<bool(std::size_t)>& admits) const {
+  void add(std::size_t s) {
+    for_each_cell_around(layout_.swimmers[s].position, 0,
+                         [&](std::uint64_t cell) { swimmers_.emplace(cell, s); });
+  }
+
+  /// Returns the distance from `position` to the nearest added swimmer that is equivalent to swimmer `s` and
+  /// within the tolerance [length]. Returns infinity if there is no such swimmer.
+  double distance_to_twin(std::size_t s, const Vec3& position) const {
     double nearest = std::numeric_limits<double>::infinity();
-    cells_.visit_neighbours(position, [&](std::size_t other) {
-      const double distance = nearest_separation(position, layout_.swimmers[other].position, box_).norm();
-      if (other != s && distance <= tolerance_ && distance < nearest && admits(other) && are_alike(s, other))
-        nearest = distance;
-      return true;
+    constexpr double reach = 0.25;  // at least the tolerance and roundoff [edge of a cell]
+    for_each_cell_around(position, reach, [&](std::uint64_t cell) {
+      const auto [begin, end] = swimmers_.equal_range(cell);
+      for (auto found = begin; found != end; ++found) {
+        const std::size_t other = found->second;
+        const double distance = nearest_separation(position, layout_.swimmers[other].position, box_).norm();
+        if (other != s && distance <= tolerance_ && distance < nearest && are_alike(s, other))
+          nearest = distance;
+      }
     });
     return nearest;
   }
 
  private:
-  static std::vector<Vec3> positions(const Layout& layout) {
-    std::vector<Vec3> positions;
-    for (const Swimmer& swimmer : layout.swimmers) positions.push_back(swimmer.position);
-    return positions;
+  /// Calls visit(key) for each cell that is within `reach` cells of the position along each axis.
+  template <class Visitor>
+  void for_each_cell_around(const Vec3& position, double reach, const Visitor& visit) const {
+    // Swarms are often regular: the shift by half a cell keeps their swimmers away from the faces of cells.
+    const Eigen::Array3d place =
+        (wrapped(position, box_).cwiseQuotient(box_->lengths).array() * counts_) + 0.5;
+    const Eigen::Array3d low = (place - reach).floor(), high = (place + reach).floor();
+    const auto wrap = [&](double index, int axis) {
+      return static_cast<std::uint64_t>(index - counts_[axis] * std::floor(index / counts_[axis]));
+    };
+    for (double i = low[0]; i <= high[0]; ++i)
+      for (double j = low[1]; j <= high[1]; ++j)
+        for (double k = low[2]; k <= high[2]; ++k)
+          visit(((wrap(i, 0) << 20 | wrap(j, 1)) << 20) | wrap(k, 2));
   }
 
   bool are_alike(std::size_t a, std::size_t b) const {
     constexpr double same_axis = 1e-9;
     const Swimmer &one = layout_.swimmers[a], &other = layout_.swimmers[b];
     if (one.type != other.type || (one.orientation() - other.orientation()).norm() > same_axis) return false;
-    if (!one.driving && !other.driving) return true;
-    return layout_.resolved_type(one).driving == layout_.resolved_type(other).driving;
+    return layout_.driving_of(one) == layout_.driving_of(other);
   }
 
   const Layout& layout_;
-  std::optional<Box> box_;
+  const std::optional<Box>& box_ = layout_.domain.box;
   double tolerance_;
-  CellList cells_;
+  Eigen::Array3d counts_;                                           ///< number of cells along each axis
+  std::unordered_multimap<std::uint64_t, std::size_t> swimmers_{};  ///< by the key of the cell
 };
 
 /// Displaces the scene along `axis` by the edge of the box divided by `parts`, and searches, for each
@@ -63,10 +81,9 @@ class SwimmerFinder {
 double largest_shift_after_move(const Layout& layout, const SwimmerFinder& finder, int axis,
                                 std::size_t parts) {
   const Vec3 step = Vec3::Unit(axis) * layout.domain.box->lengths[axis] / static_cast<double>(parts);
-  const auto is_any = [](std::size_t) { return true; };
   double largest = 0;
   for (std::size_t s = 0; s < layout.swimmers.size() && std::isfinite(largest); ++s)
-    largest = std::max(largest, finder.distance_to_twin(s, layout.swimmers[s].position + step, is_any));
+    largest = std::max(largest, finder.distance_to_twin(s, layout.swimmers[s].position + step));
   return largest;
 }
 
@@ -80,7 +97,8 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
   }
   const std::size_t all = layout.swimmers.size();
   ReducedCell result{.layout = layout};
-  const SwimmerFinder finder(layout, *layout.domain.box, tolerance);
+  SwimmerFinder finder(layout, tolerance);
+  for (std::size_t s = 0; s < all; ++s) finder.add(s);
   for (int axis = 0; axis < 3; ++axis) {
     if (!layout.domain.box->is_periodic(axis)) continue;
     for (std::size_t parts = all; parts > 1; --parts) {
@@ -98,14 +116,11 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
   for (Swimmer& swimmer : result.layout.swimmers) swimmer.position = wrapped(swimmer.position, cell);
   // Keeps one swimmer of each set of equivalent swimmers. Two swimmers within the tolerance of a third
   // swimmer can differ by up to twice the tolerance.
-  const SwimmerFinder twins(result.layout, cell, 2 * tolerance);
-  std::vector<bool> is_kept(all);
+  SwimmerFinder kept(result.layout, 2 * tolerance);
   std::vector<Swimmer> firsts;
   for (std::size_t s = 0; s < all; ++s) {
-    const Vec3& position = result.layout.swimmers[s].position;
-    if (std::isfinite(twins.distance_to_twin(s, position, [&](std::size_t other) { return is_kept[other]; })))
-      continue;
-    is_kept[s] = true;
+    if (std::isfinite(kept.distance_to_twin(s, result.layout.swimmers[s].position))) continue;
+    kept.add(s);
     firsts.push_back(result.layout.swimmers[s]);
   }
   if (static_cast<double>(firsts.size()) * result.cells.cast<double>().prod() != static_cast<double>(all)) {

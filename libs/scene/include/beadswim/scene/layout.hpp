@@ -81,6 +81,9 @@ struct Layout {
   std::vector<Swimmer> swimmers;
   std::optional<Resolution> resolution;
 
+  /// Returns the driving of a swimmer: its own, otherwise that of its type.
+  const Driving& driving_of(const Swimmer& swimmer) const;
+
   /// Returns the type of a swimmer. If the swimmer has its own driving, the returned type contains this
   /// driving.
   SwimmerType resolved_type(const Swimmer& swimmer) const;
