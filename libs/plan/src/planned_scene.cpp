@@ -36,6 +36,28 @@ SwimmerFacts evaluate_swimmer(Representative representative) {
   return swimmer_facts;
 }
 
+/// Returns the facts of all representatives of the cell. A box can leave too little room for a stand-in, which
+/// may be longer than the swimmer itself; its facts are then those in open space.
+std::vector<SwimmerFacts> evaluate_swimmers(const Layout& cell) {
+  std::vector<SwimmerFacts> all;
+  for (Representative& representative : representatives(cell))
+    all.push_back(evaluate_swimmer(std::move(representative)));
+  const auto is_misfit = [](const SwimmerFacts& facts) {
+    return !facts.best && facts.representative.is_stand_in;
+  };
+  if (!cell.domain.box || std::ranges::none_of(all, is_misfit)) return all;
+  Layout open = cell;
+  open.domain.box.reset();
+  std::vector<SwimmerFacts> others = evaluate_swimmers(open);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!is_misfit(all[i]) || !others[i].best) continue;
+    all[i] = std::move(others[i]);
+    std::string& approximation = all[i].representative.approximation;
+    if (approximation.empty()) approximation = "alone in open space";
+  }
+  return all;
+}
+
 /// Returns exp(rate cycles), the factor by which deviations from the order of a swarm grow in `cycles`
 /// cycles. The rate [1/cycle] is a power law of gamma omega/k, where gamma is the drag coefficient of a bead,
 /// omega the driving frequency and k the stiffness. The power law passes through two values of
@@ -90,8 +112,7 @@ SceneFacts scene_facts(const Layout& layout, double cycles) {
   }
   if (const auto& half_space = layout.domain.half_space)
     facts.height = smallest_relative_height(placed_beads(layout), *half_space);
-  for (Representative& representative : representatives(facts.cell))
-    facts.swimmer_facts.push_back(evaluate_swimmer(std::move(representative)));
+  facts.swimmer_facts = evaluate_swimmers(facts.cell);
   for (SwimmerFacts& swimmer_facts : facts.swimmer_facts)
     swimmer_facts.tilt_growth =
         growth_of_tilt(swimmer_facts.representative.type, layout.fluid.dynamic_viscosity());

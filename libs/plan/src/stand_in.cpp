@@ -12,8 +12,8 @@
 namespace beadswim {
 namespace {
 
-constexpr double arms_without_bonds = 10;  // divided by the radius
-constexpr double least_swing = 0.05;       // relative amplitude of the arms
+constexpr double arms_without_bonds = 10, shortest_arm = 2.5;  // divided by the radius
+constexpr double least_swing = 0.05;                           // relative amplitude of the arms
 
 /// Returns the largest amplitude of a bond, divided by its length; 0 if theory does not know it.
 double largest_swing(const SwimmerType& type, double viscosity) {
@@ -34,6 +34,7 @@ ThreeBeadSwimmer stand_in(const SwimmerType& type, const Fluid& fluid) {
   const double radius = std::ranges::max(type.beads, {}, &Bead::radius).radius;
   double arm = type.bonds.empty() ? arms_without_bonds * radius : 0;
   for (const Bond& bond : type.bonds) arm += bond.rest_length / static_cast<double>(type.bonds.size());
+  arm = std::max(arm, shortest_arm * radius);
   const double omega = 2 * std::numbers::pi / type.driving.period;
   const Bead bead{.radius = radius, .density = type.beads[0].density};
   const Spring spring{.stiffness = 6 * std::numbers::pi * viscosity * radius * omega, .rest_length = arm};
