@@ -102,6 +102,15 @@ has_status 0
 err_empty
 check "the sums have their tolerance" holds '.model == "rpy+near" and .mobility.tolerance == 0.001' out
 
+# --- auto plans with the default tolerance, too; a model that is not named is lbm
+run beadswim-run slow.json -o slow.h5md --model auto --cycles 1
+has_status 0
+err_has '^beadswim-run: starting the cheapest run within --tolerance: --model rpy[+]near'
+run beadswim-run --help
+check "help has both" grep -qE -- '\[lbm; auto with --plan or --tolerance\]' <(tr -s ' \n' ' ' <out)
+refuses 'lattice needs a box|unbounded' beadswim-run slow.json -o slow.h5md
+refuses '^beadswim-run: --model: ' beadswim-run --restart slow.h5md --model auto
+
 # --- proposals
 beadswim-layout swarm --preset paper-uniform --blocks 2,1,1 >swarm.json
 run beadswim-run swarm.json --plan
@@ -202,6 +211,27 @@ beadswim-layout swarm --preset paper-uniform --block-swimmers 1,2,1 --stiffness 
 run beadswim-run swarm.json --plan --cycles 60
 err_has '^hard: small differences between swimmers grow'
 check "its swimmers cannot be foretold" holds '.choice == null' out
+
+# --- a stand-in that is longer than the swimmer does not fit into the box: errors are then those in open space
+beadswim-layout shape sphere --unbounded >open.json
+run beadswim-run open.json --plan --model rpy --tolerance 0.9
+jq '.runs[0] | .error, .typical_error' out >open.errors
+for edge in 80 60; do
+  beadswim-layout shape sphere --box $edge,$edge,$edge --boundary periodic >tight.json
+  run beadswim-run tight.json --plan --model rpy --tolerance 0.9
+  has_status 0
+  err_has '^hard: swimmer 0: error estimates are for a swimmer alone in open space'
+  check "the errors of a sphere in a box of $edge are those in open space" cmp -s open.errors <(jq '.runs[0] | .error, .typical_error' out)
+done
+for shape in dumbbell triangle; do
+  for edge in 36 40 44; do
+    beadswim-layout shape $shape --box $edge,$edge,$edge --boundary periodic >tight.json
+    run beadswim-run tight.json --plan --tolerance 0.9
+    has_status 0
+    check "mobility models and lattices treat a $shape in a box of $edge" \
+      holds '[.runs[] | select(.refused == null) | .model] | unique == ["lbm", "oseen", "rpy", "rpy+near", "unsteady"]' out
+  done
+done
 
 # --- drivings of swimmers' own: one at rest does not stand for the others, nor a weak one for a strong one
 swarm_with() { # JQ   the jittered swarm, changed

@@ -22,7 +22,8 @@ void add_model(CLI::App& program, RunOptions& options) {
   begin_group(program, "Model");
   add_choice(program, "--model", options.settings.model,
              "Model of the fluid: lbm (lattice), the mobilities rpy, rpy+near, multipole, oseen, unsteady "
-             "(with fluid inertia), or auto (the cheapest within --tolerance, else lbm)");
+             "(with fluid inertia), or auto (the cheapest run within --tolerance)")
+      ->default_str("lbm; auto with --plan or --tolerance");
   program.add_flag(
       "--plan", options.plan,
       "Run nothing; print the expected error and cost of all possible runs, and the cheapest run within "
@@ -33,7 +34,7 @@ void add_model(CLI::App& program, RunOptions& options) {
                   "another model a former name of --sum-tolerance [1]")
       ->type_name("E")
       ->check(finite_positive())
-      ->default_str("0.03 with --plan");
+      ->default_str("0.03");
 }
 
 void add_length(CLI::App& program, RunSettings& settings) {
@@ -216,15 +217,16 @@ void add_flags(CLI::App& program, RunOptions& options) {
              "choosing-a-model.md");
 }
 
+constexpr const char* restart_keeps_model =
+    "the flag chooses the model at the start of a run, and a restart continues with its model and settings; "
+    "leave the flag out";
+
 /// Without a plan, uses --tolerance of a mobility model as --sum-tolerance, its name in later versions.
 /// Throws InputError if the model is lbm, if both flags are given, if the value is invalid for
 /// --sum-tolerance, or at a restart.
 void apply_former_tolerance(RunOptions& options) {
   if (!options.tolerance || options.plan || options.settings.model == RunModel::automatic) return;
-  if (!options.restart.empty())
-    throw InputError("--tolerance",
-                     "the flag chooses the model at the start of a run, and a restart continues with its "
-                     "model and settings; leave the flag out");
+  if (!options.restart.empty()) throw InputError("--tolerance", restart_keeps_model);
   if (options.settings.model == RunModel::lbm || options.given.contains("--sum-tolerance"))
     throw InputError("--tolerance", "the flag applies to --plan and --model auto only; leave it out");
   if (const std::string why = product_tolerance()(fmt::format("{}", *options.tolerance)); !why.empty())
@@ -243,7 +245,6 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
       "inertia). Writes the trajectory of the beads (H5MD) and prints the run record (JSON) with velocity "
       "and stroke of each cycle. Use mpirun -n N to run on N ranks.");
   RunOptions options;
-  options.settings.model = RunModel::automatic;
   add_flags(*program, options);
   for (const auto& [flag, value] : defaults) {
     CLI::Option* option = program->get_option_no_throw(flag);
@@ -267,9 +268,10 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   }
   if (options.output.empty() && options.restart.empty() && !options.plan)
     throw InputError("--output", "the flag is missing; name the trajectory to write with -o FILE.h5md");
-  const bool is_to_be_planned = options.plan || options.given.contains("--tolerance");
-  if (options.settings.model == RunModel::automatic && !is_to_be_planned)
-    options.settings.model = RunModel::lbm;
+  const bool is_model_given = options.given.contains("--model") || defaults.contains("--model");
+  if (!is_model_given && (options.plan || options.tolerance)) options.settings.model = RunModel::automatic;
+  if (options.settings.model == RunModel::automatic && is_model_given && !options.restart.empty())
+    throw InputError("--model", restart_keeps_model);
   apply_former_tolerance(options);
   options.provenance = provenance_record(*program);
   return options;
