@@ -26,6 +26,19 @@ for scheme in mr psm; do
   done
 done
 
+# 40 x 12 x 12 cells: of the grids of 14 blocks, the cheapest has blocks of one cell, too thin for mr, and 7 x 1 x 2 fits.
+beadswim-layout swimmer --preset paper-single --box 80,24,24 --boundary periodic --position 40,12,12 >thin.json
+thin=(--cells-per-radius 2 --cycles 0.01 --progress none --no-provenance)
+run beadswim-run thin.json -o thin.h5md "${thin[@]}"
+has_status 0
+one=$(jq .state_sha256 out)
+run mpirun -n 14 beadswim-run thin.json -o thin.h5md "${thin[@]}"
+has_status 0
+check "14 ranks change the state" test "$one" = "$(jq .state_sha256 out)"
+run mpirun -n 13 beadswim-run thin.json -o x.h5md "${thin[@]}"
+has_status 2
+err_has '^beadswim-run: mpirun -n: 13 ranks cannot share 40 x 12 x 12 cells, because each block needs at least 2 along each axis; use mpirun -n 12 or another --bead-boundary$'
+
 # Prints how many middle beads have been on both sides of the plane at PLACE across AXIS. h5dump prints positions bead by bead, in
 # the order x, y, z.
 crossings() { # AXIS PLACE

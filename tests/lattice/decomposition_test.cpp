@@ -1,4 +1,5 @@
 // Tests on several ranks: the state of the lattice must not depend on its decomposition into blocks.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -121,20 +122,46 @@ TEST(Decomposition, EveryCellHasTheOneOwnerThatHoldsIt) {
   }
 }
 
-TEST(Decomposition, RefusesMoreRanksThanCellsCanShare) {
-  EXPECT_THROW(Decomposition(Index3(2, 2, 1), 5), InputError);
+/// Returns true if blocks of this thickness exist: tries all grids.
+bool has_grid(const Index3& cells, int ranks, int thickness) {
+  for (int x = 1; x <= ranks; ++x)
+    for (int y = 1; x * y <= ranks; ++y)
+      if (ranks % (x * y) == 0 && (cells / thickness >= Index3(x, y, ranks / (x * y))).all()) return true;
+  return false;
 }
 
-TEST(Halo, RefusesBlocksTooThinForWhatIsBehind) {
-  const Communicator world(MPI_COMM_WORLD);
-  const auto halo = [&](int cells, HaloContent content) {
-    const Decomposition decomposition(Index3(4, 4, cells * world.size()), world.size());
-    Halo(world, decomposition, all_periodic, content);
+// Catches the cheapest of all grids, whose blocks may be too thin, in place of the cheapest that fits.
+TEST(Decomposition, FindsAGridOfThickBlocksIfThereIsOne) {
+  const Index3 cells(40, 12, 12);
+  for (int ranks = 1; ranks <= 800; ++ranks) {
+    const auto divide = [&] { return Decomposition(Block{.size = cells}, ranks, 2); };
+    if (!has_grid(cells, ranks, 2)) {
+      EXPECT_THROW(divide(), InputError) << ranks;
+      continue;
+    }
+    const Decomposition decomposition = divide();
+    for (int r = 0; r < ranks; ++r) EXPECT_GE(decomposition.block(r).size.minCoeff(), 2) << ranks;
+  }
+}
+
+// Every level must have a grid: 9 ranks fit the first lattice only, 4 ranks fit both.
+TEST(Decomposition, NamesANumberOfRanksThatFits) {
+  const auto refusal = [](const std::vector<SharedCells>& lattices, int ranks) -> std::string {
+    try {
+      require_grids(lattices, ranks);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
   };
-  EXPECT_NO_THROW(halo(1, HaloContent::entering));
-  EXPECT_NO_THROW(halo(2, HaloContent::behind));
-  if (world.size() % 2 == 0) return;  // cut across y as well
-  EXPECT_THROW(halo(1, HaloContent::behind), InputError);
+  EXPECT_THAT(refusal({{.cells = {2, 2, 1}}}, 5),
+              testing::EndsWith("at least 1 along each axis; use ranks 4"));
+  EXPECT_THAT(
+      refusal({{.cells = {6, 3, 1}}, {.cells = {4, 4, 3}, .thickness = 2}}, 9),
+      testing::EndsWith("share 4 x 4 x 3 cells, because each block needs at least 2 along each axis; use "
+                        "ranks 4 or another bead boundary"));
+  EXPECT_THAT(refusal({{.cells = {4, 4, 1}, .thickness = 2}}, 1),
+              testing::EndsWith("use another bead boundary"));
 }
 
 }  // namespace

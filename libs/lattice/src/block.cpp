@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <limits>
+#include <string>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
@@ -16,8 +18,9 @@ int cut(int n, int parts, int p) {
 }
 
 /// Returns the numbers of blocks along x, y and z (in total `ranks`) for which the halo exchange is cheapest.
-/// No axis has more blocks than cells. Returns 0 in all components if there is no such grid.
-Index3 cheapest_grid(const Index3& cells, int ranks) {
+/// Returns 0 in all components if there is no grid whose blocks are thick enough.
+Index3 cheapest_grid(const SharedCells& shared, int ranks) {
+  const Index3& cells = shared.cells;
   Index3 best = Index3::Zero();
   double min_cost = std::numeric_limits<double>::infinity();
   const Eigen::Array3d n = cells.cast<double>();
@@ -26,7 +29,7 @@ Index3 cheapest_grid(const Index3& cells, int ranks) {
     for (int gy = 1; gy <= ranks / gx; ++gy) {
       if ((ranks / gx) % gy != 0) continue;
       const Index3 grid(gx, gy, ranks / gx / gy);
-      if ((grid > cells).any()) continue;
+      if ((shared.thickness * grid > cells).any()) continue;
       // Cost of exchanging a halo cell across x, divided by the cost across y or z. It is larger because each
       // exchanged population lies in a separate cache line, and because the rows become shorter.
       constexpr double strided = 4;
@@ -40,15 +43,35 @@ Index3 cheapest_grid(const Index3& cells, int ranks) {
   return best;
 }
 
+bool can_share(const SharedCells& shared, int ranks) {
+  return (cheapest_grid(shared, ranks) > 0).all();
+}
+
 }  // namespace
 
-Decomposition::Decomposition(const Block& lattice, int ranks)
-    : lattice_(lattice), grid_(cheapest_grid(lattice.size, ranks)) {
-  if ((grid_ == 0).any()) {
-    const Index3& cells = lattice.size;
-    throw InputError(Setting::ranks, fmt::format("{} ranks cannot share {} x {} x {} cells; use fewer ranks",
-                                                 ranks, cells[0], cells[1], cells[2]));
-  }
+void require_grids(const std::vector<SharedCells>& lattices, int ranks) {
+  const auto refused = [&](int n) {
+    return std::ranges::find_if(lattices, [n](const SharedCells& shared) { return !can_share(shared, n); });
+  };
+  const auto first = refused(ranks);
+  if (first == lattices.end()) return;
+  int fewer = ranks - 1;
+  while (fewer > 0 && refused(fewer) != lattices.end()) --fewer;
+  const Index3& cells = first->cells;
+  std::string choice = first->thickness > 1 ? fmt::format("another {}", Setting::bead_boundary) : "";
+  if (fewer > 0)
+    choice = fmt::format("{} {}{}{}", Setting::ranks, fewer, choice.empty() ? "" : " or ", choice);
+  throw InputError(
+      Setting::ranks,
+      fmt::format("{} ranks cannot share {} x {} x {} cells, because each block needs at least {} along each "
+                  "axis; use {}",
+                  ranks, cells[0], cells[1], cells[2], first->thickness, choice));
+}
+
+Decomposition::Decomposition(const Block& lattice, int ranks, int thickness) : lattice_(lattice) {
+  const SharedCells shared{.cells = lattice.size, .thickness = thickness};
+  require_grids({shared}, ranks);
+  grid_ = cheapest_grid(shared, ranks);
 }
 
 Index3 Decomposition::grid_position(int rank) const {

@@ -1,11 +1,7 @@
 #include "beadswim/lattice/halo.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
-#include "beadswim/core/error.hpp"
-#include "beadswim/core/setting.hpp"
 #include "beadswim/lattice/lattice_vector.hpp"
 
 namespace beadswim {
@@ -221,12 +217,6 @@ Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
            const std::array<Boundary, 3>& boundary, HaloContent content,
            const std::array<bool, 3>& at_interface)
     : comm_(communicator.get()), rank_(communicator.rank()), content_(content) {
-  if (content == HaloContent::behind && (decomposition.cells() < 2 * decomposition.grid()).any()) {
-    throw InputError(
-        fmt::format("with {} ranks the block of cells of a rank is only one cell thick, but the "
-                    "multireflection bead boundary needs two cells; use fewer ranks or another {}",
-                    communicator.size(), Setting::bead_boundary));
-  }
   const Index3 position = decomposition.grid_position(rank_);
   for (int axis = 0; axis < 3; ++axis) {
     const int blocks = decomposition.grid()[axis];

@@ -30,10 +30,7 @@ struct LatticeSize {
 /// can treat.
 bool can_share(const std::vector<Block>& levels, int ranks) {
   const std::string reason = reason_against([&] {
-    for (const Block& level : levels) {
-      const Decomposition blocks(level, ranks);
-      if ((level.size < 2 * blocks.grid()).any()) throw InputError("the blocks are thin");
-    }
+    for (const Block& level : levels) Decomposition(level, ranks, min_thickness(HaloContent::behind));
   });
   return reason.empty();
 }

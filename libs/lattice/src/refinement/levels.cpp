@@ -10,6 +10,14 @@ std::array<bool, 3> interfaces_of(const LevelPlace& place) {
   return {!place.spans(0), !place.spans(1), !place.spans(2)};
 }
 
+/// Throws InputError if `ranks` ranks cannot share each of the levels.
+void require_grids_of_levels(const std::vector<LevelPlace>& places, HaloContent content, int ranks) {
+  std::vector<SharedCells> lattices;
+  for (const LevelPlace& place : places) lattices.push_back({.cells = place.lattice.size});
+  lattices.back().thickness = min_thickness(content);
+  require_grids(lattices, ranks);
+}
+
 }  // namespace
 
 std::vector<Block> LevelPlace::parts_under(const LevelPlace& finer, const Block& block) const {
@@ -33,7 +41,7 @@ std::vector<Block> LevelPlace::parts_under(const LevelPlace& finer, const Block&
 Level::Level(const LevelPlace& place_of_level, double relaxation_time, Precision precision,
              HaloContent content, const Communicator& communicator)
     : place(place_of_level),
-      decomposition(place.lattice, communicator.size()),
+      decomposition(place.lattice, communicator.size(), min_thickness(content)),
       block(decomposition.block(communicator.rank())),
       populations(block.size, precision, content),
       halo(communicator, decomposition, place.boundary, content, interfaces_of(place)),
@@ -55,6 +63,7 @@ std::vector<LevelPlace> places_in_box(const Index3& cells, const std::array<Boun
 
 Levels::Levels(const std::vector<LevelPlace>& places, double relaxation_time, Precision precision,
                HaloContent content, const Communicator& communicator) {
+  require_grids_of_levels(places, content, communicator.size());
   const int count = static_cast<int>(places.size());
   for (int n = 0; n < count; ++n) {
     const int finer_levels = count - 1 - n;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "beadswim/core/vec3.hpp"
 
@@ -51,16 +52,25 @@ void for_each_run_outside(std::span<const Block> parts, int cells, int y, int z,
   if (first < cells) visit(first, cells);
 }
 
+/// Cells that ranks share, and the smallest permitted number of cells of a block along each axis.
+struct SharedCells {
+  Index3 cells;
+  int thickness = 1;
+};
+/// Throws InputError if there is no grid of `ranks` blocks for one of several lattices. The message names the
+/// largest smaller number of ranks for which all lattices have a grid.
+void require_grids(const std::vector<SharedCells>& lattices, int ranks);
+
 /// A Cartesian grid of blocks; rank b owns block b. Every rank stores the complete grid and finds the owner
 /// of a cell without communication.
 class Decomposition {
  public:
   /// Divides the cells of a lattice into `ranks` blocks of nearly equal size. Chooses the numbers of
   /// blocks along x, y and z for which the exchange of halo cells is cheapest. Cuts perpendicular to y or z
-  /// cost less than cuts perpendicular to x. Throws InputError if no grid of blocks gives every rank at least
-  /// one cell.
+  /// cost less than cuts perpendicular to x. `thickness`: smallest permitted number of cells of a block along
+  /// each axis. Throws InputError as require_grids().
   Decomposition(const Index3& cells, int ranks) : Decomposition(Block{.size = cells}, ranks) {}
-  Decomposition(const Block& lattice, int ranks);
+  Decomposition(const Block& lattice, int ranks, int thickness = 1);
 
   const Block& lattice() const { return lattice_; }
   const Index3& cells() const { return lattice_.size; }

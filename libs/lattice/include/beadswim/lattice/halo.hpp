@@ -29,10 +29,9 @@ namespace beadswim {
 /// HaloContent::behind, start() waits for all messages.
 class Halo {
  public:
-  /// Throws InputError if `content` is `behind` and a block is only one cell thick. Populations that this
-  /// object fills must have been constructed with the same `content`. `at_interface`: axes along which the
-  /// lattice ends at a coarser level instead of at a boundary (level_interface.hpp); the halo beyond these
-  /// ends is not filled.
+  /// Requires blocks of at least min_thickness(content). Populations that this object fills must have been
+  /// constructed with the same `content`. `at_interface`: axes along which the lattice ends at a coarser
+  /// level instead of at a boundary (level_interface.hpp); the halo beyond these ends is not filled.
   Halo(const Communicator& communicator, const Decomposition& decomposition,
        const std::array<Boundary, 3>& boundary, HaloContent content = HaloContent::entering,
        const std::array<bool, 3>& at_interface = {});

@@ -32,6 +32,11 @@ enum class HaloContent {
   behind,
 };
 
+/// Returns the smallest permitted number of cells of a block along each axis.
+constexpr int min_thickness(HaloContent content) {
+  return content == HaloContent::behind ? 2 : 1;
+}
+
 /// Populations of one block and of its halo, a layer around the block that is one cell wide. They are stored
 /// after collision, as deviations f_i - w_i from their weight, in one array per direction with x fastest. The
 /// 19 populations that a collision leaves in a cell are its outgoing populations. Streaming moves them to the
