@@ -45,7 +45,32 @@ run beadswim-run walls.json -o single.h5md "${settings[@]}" --cycles 6 --precisi
 has_status 0
 check 'single precision changes the flow' holds '[., input] | map(.swimmers[0].cycles[-1].velocity[0]) | (.[0] / .[1] - 1 | fabs) < 1e-3' one.json out
 
-# --- a body force drives plane Poiseuille flow, with a mean velocity of g h^2/(12 rho nu), in any units
+# Prints the velocity along x at the corner of the box, for each plane of the last flow field of a run.
+profile() { # TRAJECTORY
+  python3 - "$(ls "$1".flow/*.vti | tail -1)" <<'PYTHON'
+import base64, struct, sys, xml.etree.ElementTree as xml
+image = xml.parse(sys.argv[1]).getroot().find("ImageData")
+nx, ny, nz = (int(n) for n in image.get("WholeExtent").split()[1::2])
+velocity = next(array for array in image.iter("DataArray") if array.get("Name") == "velocity")
+numbers = struct.unpack(f"<{3 * nx * ny * nz}f", base64.b64decode(velocity.text.strip())[8:])
+print([numbers[3 * nx * ny * z] for z in range(nz)])
+PYTHON
+}
+
+# --- a body force drives plane Poiseuille flow, with the velocity g z (h - z)/(2 rho nu), whose mean over cells is
+# g (2 h^2 + 1)/(24 rho nu). A small free sphere hardly disturbs the flow.
+beadswim-layout shape sphere --radius 1 --force 0 --amplitude 0 --direction 1,0,0 --period 500 --viscosity 0.33333333 --density 1 \
+  --units lattice --box 16,16,8 --boundary periodic,periodic,no-slip --position 8,8,4 | jq '.body_force = [4.1666666666666665e-5, 0, 0]' >slit.json
+run beadswim-run slit.json -o slit.h5md --cells-per-radius 1 --relaxation-time 1.5 --bead-boundary psm --progress none --no-provenance \
+  --cycles 2 --flow-every 1
+has_status 0
+profile slit.h5md >profile.json
+check 'the velocities are not those of Poiseuille flow' holds \
+  'to_entries | all(.key as $z | .value / (6.25e-5 * ($z + 0.5) * (7.5 - $z)) - 1 | fabs < 0.003)' profile.json
+check 'the mean flow is not that of Poiseuille' holds '.swimmers[0].cycles[-1].mean_flow[0] / (6.25e-5 * 129 / 12) - 1 | fabs < 0.003' out
+check 'the momentum is not that of the mean flow' holds '.momentum.total[0] / (16 * 16 * 8 * 6.25e-5 * 129 / 12) - 1 | fabs < 0.01' out
+
+# --- the same with a larger sphere, in any units
 jq '.body_force = [4e-5, 0, 0] | .swimmers[0].position[2] = 15' at_rest.json >forced.json
 run beadswim-run forced.json -o forced.h5md "${settings[@]}" --cycles 4
 has_status 0

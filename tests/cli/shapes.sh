@@ -193,6 +193,11 @@ cp out towed.rec
 check "the velocity is Hasimoto's" holds '.swimmers[0].cycles[-1] | .velocity[0] - .mean_flow[0] |
   . / ((1 - 2.8373 / 8 + 4.19 / 512) * 0.01 * 3 / (6 * 3.14159265 * 4)) - 1 | fabs < 0.003' towed.rec
 check "momentum is conserved" holds '.momentum | .initial == [0, 0, 0] and (.total | map(fabs < 1e-10) | all)' towed.rec
+run beadswim-run towed.json -o towed-off.h5md "${towed[@]}" --cycles 2 --delay-correction off
+has_status 0
+for record in towed.rec out; do
+  check "there is a mean flow" holds '.swimmers[0].cycles[-1] | .mean_flow[0] / .velocity[0] | fabs < 1e-5' $record
+done
 run mpirun -n 3 beadswim-run towed.json -o towed-part.h5md "${towed[@]}" --cycles 1 --checkpoint-every 1
 has_status 0
 run mpirun -n 2 beadswim-run towed.json -o towed-again.h5md "${towed[@]}" --cycles 2 --restart towed-part.h5md.ckpt.0

@@ -24,7 +24,7 @@ struct Scene {
   }
 
   void push() {
-    SaturatedBoundary boundary{saturated, beads, sums, viscosity};
+    SaturatedBoundary boundary{saturated, beads, sums, forces, Vec3::Zero(), viscosity};
     for_each_row([&](int y, int z) { boundary.apply_forces_before_row(populations, y, z); });
     transfer_impulses(sums, beads);
   }
@@ -57,6 +57,7 @@ struct Scene {
   SaturatedCells saturated;
   std::vector<BeadOnLattice> beads;
   std::vector<SaturatedSums> sums;
+  std::vector<SaturatedForce> forces;
 };
 
 BeadOnLattice bead(int number, const Vec3& position, const Vec3& velocity, const Vec3& angular_velocity) {

@@ -75,7 +75,7 @@ struct RefinedFluid {
   Error error(const std::function<Vec3(const Vec3&)>& exact, double speed) const {
     double square = 0, scale = 0, largest = 0;
     for_each_used_cell([&](const LevelCell& at) {
-      const Vec3 u = exact(at.centre), difference = moments(at).momentum - u;
+      const Vec3 u = exact(at.centre), difference = levels.velocity(at.level, at.cell) - u;
       square += at.volume * difference.squaredNorm();
       scale += at.volume * u.squaredNorm();
       largest = std::max(largest, difference.norm() / speed);

@@ -76,33 +76,11 @@ void SpheresInFluid::hold_fluid_momentum(const Vec3& momentum) {
   body_force = (0.5 * (taken_ + taken_before_) + missing) / fluid_cells_;
 }
 
-/// Applies the force of spheres to the saturated cells of a row. The body force acts later in the step, so
-/// half of it is included in the velocity in the middle of the step.
+/// Applies the force of spheres to the saturated cells of a row.
 void SpheresInFluid::push_row(int y, int z) {
-  const std::span<const SaturatedRun> runs = saturated_cells_.runs(y, z);
-  if (runs.empty()) return;
-  int low = cells_[0], high = 0;
-  std::vector<double> fluid_part(cells_[0], 1);
-  for (const SaturatedRun& run : runs) {
-    low = std::min(low, run.low), high = std::max(high, run.high);
-    for (int x = run.low; x < run.high; ++x) fluid_part[x] -= saturated_cells_.fraction(run, x);
-  }
-  const auto incoming_momentum = [&] {  // weighted
-    Vec3 sum = Vec3::Zero();
-    for (int i = 1; i < d3q19::directions; ++i) {
-      const double* incoming = populations_.incoming_row<double>(i, populations_.cell(0, y, z));
-      const double along = std::inner_product(incoming + low, incoming + high, &fluid_part[low], 0.0);
-      sum += along * velocity_of(i);
-    }
-    return sum;
-  };
-  force_on_fluid_part_ -= incoming_momentum();
-  std::vector<BeadOnLattice> at_mid_step = beads_;
-  for (BeadOnLattice& bead : at_mid_step) bead.motion.velocity -= 0.5 * body_force;
-  SaturatedBoundary boundary{saturated_cells_, at_mid_step, saturated_sums_,
-                             lattice_viscosity(1 / rates_.symmetric)};
+  SaturatedBoundary boundary{saturated_cells_,  beads_,     saturated_sums_,
+                             saturated_forces_, body_force, lattice_viscosity(1 / rates_.symmetric)};
   boundary.apply_forces_before_row(populations_, y, z);
-  force_on_fluid_part_ += incoming_momentum();
 }
 
 /// Returns the impulse and angular impulse that the last step transferred to a sphere.
@@ -126,7 +104,7 @@ Load SpheresInFluid::take_load(int sphere) {
 
 std::vector<Load> SpheresInFluid::step() {
   BeadBoundary boundary{coverage_, links_, beads_, rates_, sums_};
-  force_on_fluid_part_ = Vec3::Zero();
+  saturated_forces_.clear();
   halo_.fill(populations_);
   BlockSweep sweep(populations_, rates_, RowEnds::left_to_halo, body_force);
   for (int n = 0; n < cells_[2]; ++n) {
@@ -143,6 +121,9 @@ std::vector<Load> SpheresInFluid::step() {
   sweep.finish();
   transfer_impulses(sums_, beads_);
   transfer_impulses(saturated_sums_, beads_);
+  force_on_fluid_part_ = Vec3::Zero();
+  for (const SaturatedForce& cell : saturated_forces_)
+    force_on_fluid_part_ += cell.fluid_fraction * cell.force;
 
   fluid_momentum_ += fluid_cells_ * body_force;
   taken_before_ = std::exchange(taken_, Vec3::Zero());

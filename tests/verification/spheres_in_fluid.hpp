@@ -87,9 +87,10 @@ class SpheresInFluid {
   std::vector<BeadOnLattice> beads_;
   std::vector<LinkSums> sums_;
   std::vector<SaturatedSums> saturated_sums_;
-  std::vector<Load> inner_momentum_;         ///< momentum of the fluid in each sphere (psm)
-  Vec3 force_on_fluid_part_ = Vec3::Zero();  ///< force on the fluid outside the spheres (psm)
-  std::vector<double> held_mass_;            ///< one element per bead
+  std::vector<SaturatedForce> saturated_forces_;  ///< of the last step
+  std::vector<Load> inner_momentum_;              ///< momentum of the fluid in each sphere (psm)
+  Vec3 force_on_fluid_part_ = Vec3::Zero();       ///< force on the fluid outside the spheres (psm)
+  std::vector<double> held_mass_;                 ///< one element per bead
   Vec3 fluid_momentum_ = Vec3::Zero();
   Vec3 taken_ = Vec3::Zero(), taken_before_ = Vec3::Zero();  ///< impulses to spheres, last two steps
   double fluid_cells_ = 0;

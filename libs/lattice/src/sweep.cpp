@@ -101,6 +101,12 @@ void stream_and_collide(Populations& populations, const RelaxationRates& rates, 
   sweep.finish();
 }
 
+Vec3 acting_body_force(const Vec3& body_force, Precision precision) {
+  constexpr int digits = 10;
+  if (precision == Precision::fp64) return body_force;
+  return (body_force / 12).unaryExpr([](double g) { return 12 * with_digits(g, digits); });
+}
+
 std::string sweep_instruction_set() {
   return row_kernels().instruction_set;
 }

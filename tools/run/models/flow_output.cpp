@@ -105,13 +105,21 @@ void FlowOutput::write_level(const CoupledSystem& system, int number, const std:
       covered_cells.emplace(cell, CoveredCell{covering.velocity_at(from_centre), 1.0 + covering.name.bead});
     });
   }
+  std::unordered_map<std::ptrdiff_t, Vec3> forces;  // half of a force of a bead belongs to the velocity
+  if (number == levels_ - 1) {
+    for (const SaturatedForce& cell : system.saturated_forces()) forces.emplace(cell.cell, cell.force);
+  }
+  const auto velocity_of_fluid = [&](std::ptrdiff_t cell) -> Vec3 {
+    const auto force = forces.find(cell);
+    const Vec3 velocity = system.levels().velocity(number, cell);
+    return force == forces.end() ? velocity : Vec3(velocity - 0.5 * force->second);
+  };
   std::vector<VtiField> fields{
       field("velocity", 3,
             [&](int k, std::ptrdiff_t cell) {
               const auto covered_cell = covered_cells.find(cell);
-              const Vec3 velocity = covered_cell != covered_cells.end()
-                                        ? covered_cell->second.velocity
-                                        : cell_moments(populations, cell).momentum;
+              const Vec3 velocity = covered_cell != covered_cells.end() ? covered_cell->second.velocity
+                                                                        : velocity_of_fluid(cell);
               return velocity[k] * scales_.velocity();
             }),
       field("pressure", 1,

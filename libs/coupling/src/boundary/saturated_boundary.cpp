@@ -28,6 +28,12 @@ class SharedCell {
     pull_ += sigma * velocity;
   }
 
+  double fluid_fraction() const {
+    double fraction = 1;
+    for (const Share& share : shares_) fraction -= share.solid_fraction;
+    return fraction;
+  }
+
   /// Returns the force F on fluid that streams in with momentum u.
   Vec3 force(const Vec3& u) const { return (pull_ - sigma_ * u) / (1 + sigma_ / 2); }
 
@@ -113,12 +119,17 @@ class SaturatedRowUpdate {
       }
       batch_.y = run.y, batch_.z = run.z;
       push_batch(run.bead);
+      for (int k = 0; k < batch_.cells; ++k)
+        boundary_.forces.push_back(
+            {.cell = first_ + low + k,
+             .fluid_fraction = 1 - batch_.solid_fraction[k],
+             .force = {-batch_.terms[0][k], -batch_.terms[1][k], -batch_.terms[2][k]}});
     }
   }
 
   void push_batch(int b) {
     const BeadMotion& motion = boundary_.beads[b].motion;
-    const Vec3 &v = motion.velocity, &omega = motion.angular_velocity;
+    const Vec3 v = motion.velocity - 0.5 * boundary_.body_force, &omega = motion.angular_velocity;
     const SaturatedBead bead{.velocity = {v[0], v[1], v[2]},
                              .angular_velocity = {omega[0], omega[1], omega[2]},
                              .viscosity = boundary_.viscosity};
@@ -134,7 +145,7 @@ class SaturatedRowUpdate {
       if (!run.contains(x)) continue;
       const Vec3 r = run.from_centre(x);
       cell.add(run, boundary_.cells.fraction(run, x), boundary_.viscosity, r,
-               boundary_.beads[run.bead].velocity_at(r));
+               boundary_.beads[run.bead].velocity_at(r) - 0.5 * boundary_.body_force);
     }
     std::array<Real*, d3q19::directions> places;
     double f[d3q19::directions], density, u[3], gained[3];
@@ -151,7 +162,10 @@ class SaturatedRowUpdate {
       f[i] = static_cast<double>(*places[i]) - f[i];
     }
     moments_of(f, density, gained);
-    cell.distribute_change(boundary_.sums, before, Vec3(gained[0], gained[1], gained[2]));
+    const Vec3 change(gained[0], gained[1], gained[2]);
+    cell.distribute_change(boundary_.sums, before, change);
+    boundary_.forces.push_back(
+        {.cell = first_ + x, .fluid_fraction = cell.fluid_fraction(), .force = change});
   }
 
   SaturatedBoundary& boundary_;

@@ -4,9 +4,13 @@
 
 namespace beadswim {
 
+double delay_density(const Bead& bead, double relaxation_time) {
+  return 4.5 * lattice_viscosity(relaxation_time) * force_delay(relaxation_time) /
+         (bead.radius * bead.radius);
+}
+
 Bead with_delay_correction(Bead bead, double relaxation_time) {
-  bead.density +=
-      4.5 * lattice_viscosity(relaxation_time) * force_delay(relaxation_time) / (bead.radius * bead.radius);
+  bead.density += delay_density(bead, relaxation_time);
   return bead;
 }
 

@@ -263,6 +263,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
   CoupledScene& scene = result.scene;
   scene.precision = settings.precision;
   scene.bead_boundary = settings.bead_boundary;
+  scene.corrects_delay = settings.delay_correction;
   scene.corrects_radii = settings.radius_correction;
   scene.lubrication = settings.lubrication;
   scene.friction = settings.friction;

@@ -56,7 +56,6 @@ void CoupledSystem::step() {
   });
   pending_impulses_.clear();
   if_state_is_finite([&] { advance_swimmers(impulses); });
-  balance_net_force();
   std::swap(beads_before_, beads_);
   beads_ = exchange_.publish(owned_);
 
@@ -69,6 +68,7 @@ void CoupledSystem::step() {
       transfer_changed_cells(fluid.populations, coverage_, links_, beads_before_, beads_, fluid.rates);
     find_links_and_contacts();
   });
+  balance_net_force();
 }
 
 void CoupledSystem::step_fluid_with_links() {
@@ -88,9 +88,12 @@ void CoupledSystem::step_fluid_with_links() {
 
 void CoupledSystem::step_fluid_with_saturated_cells() {
   saturated_sums_.resize(beads_.size());
+  saturated_forces_.clear();
   SaturatedBoundary boundary{.cells = saturated_cells_,
                              .beads = beads_,
                              .sums = saturated_sums_,
+                             .forces = saturated_forces_,
+                             .body_force = body_force_,
                              .viscosity = lattice_viscosity(scene_.relaxation_time)};
   Level& fluid = levels_.finest();
   levels_.step(body_force_, [&](int y, int z) {
@@ -148,18 +151,30 @@ void CoupledSystem::add_driving_impulse(const SwimmerMotion& now, const SwimmerM
 
 void CoupledSystem::balance_net_force() {
   if (!has_net_force_) return;
+  constexpr double removed_part = 0.1;  // of the momentum, in one step
+  // Momentum of fluid and beads without the fluid, whose momentum is unbalanced_ - bead_totals().
+  FluidTotals without_fluid;
+  if_state_is_finite([&] {
+    without_fluid = volume_of_beads();
+    without_fluid.add(excess_totals());
+    without_fluid.subtract(bead_totals());
+  });
   const Vec3 impulse = sum_over_ranks(driving_impulse_, communicator_).momentum_value();
+  const Vec3 rest = sum_over_ranks(without_fluid, communicator_).momentum_value() - levels_.half_impulse();
   driving_impulse_ = {};
+  const double volume = scene_.cells.cast<double>().prod();
   for (int a = 0; a < 3; ++a) {
-    if (scene_.boundary[a] == Boundary::periodic)
-      body_force_[a] = -impulse[a] / scene_.cells.cast<double>().prod();
+    if (scene_.boundary[a] != Boundary::periodic) continue;
+    unbalanced_[a] += impulse[a] + volume * body_force_[a];
+    body_force_[a] = -(impulse[a] + removed_part * (unbalanced_[a] + rest[a])) / volume;
   }
 }
 
 void CoupledSystem::add_body_force_on_beads() {
-  if (body_force_ == Vec3::Zero()) return;
+  const Vec3 acted = levels_.body_impulses().back().acted;
+  if (acted == Vec3::Zero()) return;
   coverage_.for_each_own_covered_cell([&](std::ptrdiff_t, int bead, const Vec3&) {
-    for (int a = 0; a < 3; ++a) beads_[bead].impulse.linear[a].add(body_force_[a]);
+    for (int a = 0; a < 3; ++a) beads_[bead].impulse.linear[a].add(acted[a]);
   });
 }
 

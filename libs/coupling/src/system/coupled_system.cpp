@@ -7,6 +7,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/message.hpp"
+#include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
@@ -167,6 +168,8 @@ void CoupledSystem::restore(const SystemProgress& progress, std::span<const Swim
   state_is_finite_ = true;
   steps_done_ = progress.steps_done;
   body_force_ = progress.body_force;
+  unbalanced_ = progress.unbalanced;
+  levels_.set_body_impulses(progress.body_impulses);
   largest_bead_speed_ = progress.largest_bead_speed;
   smallest_gap_ = progress.smallest_gap;
 }
@@ -175,69 +178,85 @@ void CoupledSystem::add_pending_impulses(std::map<BeadName, Impulse>& impulses) 
   for (const auto& [name, impulse] : pending_impulses_) impulses[name].add(impulse);
 }
 
-FluidTotals CoupledSystem::exchange_covered_cells(FluidTotals& fluid) const {
-  FluidTotals beads_volume, covered_cells;
-  coverage_.for_each_own_covered_cell([&](std::ptrdiff_t cell, int bead, const Vec3& from_centre) {
-    covered_cells.add(cell_moments(populations(), cell));
-    beads_volume.add({.density_deviation = 0, .momentum = beads_[bead].velocity_at(from_centre)});
+FluidTotals CoupledSystem::fluid_totals() const {
+  FluidTotals fluid = block_totals(populations());
+  if (has_links(scene_.bead_boundary)) {
+    FluidTotals covered_cells;
+    coverage_.for_each_own_covered_cell(
+        [&](std::ptrdiff_t cell, int, const Vec3&) { covered_cells.add(cell_moments(populations(), cell)); });
+    fluid.subtract(covered_cells);
+    return fluid;
+  }
+  for (const SwimmerState& swimmer : owned_) {
+    for (const Load& inner : swimmer.inner_momentum)
+      fluid.add({.density_deviation = 0, .momentum = -inner.force});
+  }
+  return fluid;
+}
+
+FluidTotals CoupledSystem::volume_of_beads() const {
+  FluidTotals totals;
+  const Vec3 half_impulse = 0.5 * levels_.body_impulses().back().acted;
+  if (has_links(scene_.bead_boundary)) {
+    coverage_.for_each_own_covered_cell([&](std::ptrdiff_t, int bead, const Vec3& from_centre) {
+      totals.add({.density_deviation = 0, .momentum = beads_[bead].velocity_at(from_centre) + half_impulse});
+    });
+    return totals;
+  }
+  for_each_owned_bead([&](const SwimmerState& swimmer, std::size_t b, const Bead& bead) {
+    // The momentum of the fluid within the bead lacks the last impulse of the body force.
+    const Vec3 velocity = swimmer.motion[b].velocity - half_impulse;
+    totals.add({.density_deviation = 0, .momentum = mass(bead) / bead.density * velocity});
   });
-  fluid.subtract(covered_cells);
-  return beads_volume;
+  for (const auto& [cell, fluid_fraction, force] : saturated_forces_)
+    totals.add({.density_deviation = 0, .momentum = -0.5 * fluid_fraction * force});
+  return totals;
 }
 
-FluidTotals CoupledSystem::exchange_inner_fluid(FluidTotals& fluid) const {
-  FluidTotals beads_volume;
-  for (const SwimmerState& swimmer : owned_) {
-    for (std::size_t b = 0; b < swimmer.motion.size(); ++b) {
-      const Bead& bead = scene_.types[swimmer.type].beads[b];
-      const double volume = mass(bead) / bead.density;
-      fluid.add({.density_deviation = 0, .momentum = -swimmer.inner_momentum[b].force});
-      beads_volume.add({.density_deviation = 0, .momentum = volume * swimmer.motion[b].velocity});
-    }
-  }
-  return beads_volume;
+FluidTotals CoupledSystem::excess_totals() const {
+  FluidTotals totals;
+  for_each_owned_bead([&](const SwimmerState& swimmer, std::size_t b, const Bead& bead) {
+    const double added = scene_.corrects_delay ? delay_density(bead, scene_.relaxation_time) : 0;
+    const double excess = mass(bead) * (1 - (1 + added) / bead.density);
+    totals.add({.density_deviation = 0, .momentum = excess * swimmer.motion[b].velocity});
+  });
+  return totals;
 }
 
-void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) const {
-  // Cells of the finest level; beads and pending impulses are added below.
-  everything = block_totals(populations());
-  const FluidTotals beads_volume =
-      has_links(scene_.bead_boundary) ? exchange_covered_cells(everything) : exchange_inner_fluid(everything);
-  all_cells = everything;
-  all_cells.add(beads_volume);
-  for (const SwimmerState& swimmer : owned_) {
-    for (std::size_t b = 0; b < swimmer.motion.size(); ++b) {
-      const double m = mass(scene_.types[swimmer.type].beads[b]);
-      everything.add({.density_deviation = swimmer.held_mass[b], .momentum = m * swimmer.motion[b].velocity});
-      everything.add({.density_deviation = 0, .momentum = 0.5 * swimmer.last_impulse[b].force});
-    }
-  }
-  for (const BeadOnLattice& bead : beads_) {
-    // Adds exact sums: rounding on each rank would make the totals depend on the number of ranks.
-    everything.density_deviation.add(bead.impulse.mass);
-    for (int a = 0; a < 3; ++a) everything.momentum[a].add(bead.impulse.linear[a]);
-  }
-  for (const auto& [name, impulse] : pending_impulses_) {
-    everything.density_deviation.add(impulse.mass);
-    for (int a = 0; a < 3; ++a) everything.momentum[a].add(impulse.linear[a]);
-  }
+FluidTotals CoupledSystem::bead_totals() const {
+  FluidTotals totals;
+  for_each_owned_bead([&](const SwimmerState& swimmer, std::size_t b, const Bead& bead) {
+    totals.add(
+        {.density_deviation = swimmer.held_mass[b], .momentum = mass(bead) * swimmer.motion[b].velocity});
+    totals.add({.density_deviation = 0, .momentum = 0.5 * swimmer.last_impulse[b].force});
+  });
+  const auto add = [&](const Impulse& impulse) {  // exact sums: rounding would depend on the number of ranks
+    totals.density_deviation.add(impulse.mass);
+    for (int a = 0; a < 3; ++a) totals.momentum[a].add(impulse.linear[a]);
+  };
+  for (const BeadOnLattice& bead : beads_) add(bead.impulse);
+  for (const auto& [name, impulse] : pending_impulses_) add(impulse);
+  return totals;
 }
 
 SceneTotals CoupledSystem::totals() {
   FluidTotals everything, all_cells;
   std::vector<FluidTotals> coarser_totals;
   if_state_is_finite([&] {
-    add_totals(everything, all_cells);
+    everything = all_cells = fluid_totals();
+    everything.add(bead_totals());
+    all_cells.add(volume_of_beads());
     coarser_totals = levels_.coarser_totals();
   });
   everything = sum_over_ranks(everything, communicator_);
   all_cells = sum_over_ranks(all_cells, communicator_);
   const CellMoments coarser = levels_.sum_of_coarser(std::move(coarser_totals), communicator_);
   const double cells = scene_.cells.cast<double>().prod();
-  const Vec3 owed =
-      cells * (body_force_ - scene_.body_force);  // for driving that has acted (balance_net_force())
-  return {.momentum = everything.momentum_value() + coarser.momentum + owed,
-          .mean_flow = (all_cells.momentum_value() + coarser.momentum) / cells,
+  const Vec3 half_impulse = levels_.half_impulse();
+  // Momentum is conserved if a body force that balances driving forces is counted with these forces.
+  const Vec3 ahead = has_net_force_ ? unbalanced_ : half_impulse;
+  return {.momentum = everything.momentum_value() + coarser.momentum - ahead,
+          .mean_flow = (all_cells.momentum_value() + coarser.momentum - half_impulse) / cells,
           .mass_excess = (everything.density_deviation.value() + coarser.density_deviation) / cells};
 }
 

@@ -73,7 +73,7 @@ Levels::Levels(const std::vector<LevelPlace>& places, double relaxation_time, Pr
     if (n > 0)
       interfaces_.push_back(std::make_unique<LevelInterface>(communicator, *levels_[n - 1], *levels_[n]));
   }
-  impulses_.assign(count, Vec3::Zero());
+  impulses_.resize(count);
 }
 
 void Levels::set_wall_velocities(const std::array<WallVelocities, 3>& walls) {
@@ -104,10 +104,20 @@ CellMoments Levels::sum_of_coarser(std::vector<FluidTotals> totals, const Commun
     const int finer_levels = count() - 1 - n;
     add(totals[2 * n], finer_levels);
     add(totals[2 * n + 1], finer_levels - 1);
-    const double cells = levels_[n]->place.lattice.size.cast<double>().prod() -
-                         levels_[n + 1]->place.lattice.size.cast<double>().prod() / 8;
-    sum.momentum += std::ldexp(cells, 3 * finer_levels) * impulses_[n];
   }
+  for (int n = 0; n < count(); ++n) sum.momentum += volume(n) * impulses_[n].pending;
+  return sum;
+}
+
+double Levels::volume(int n) const {
+  const auto cells = [&](int level) { return levels_[level]->place.lattice.size.cast<double>().prod(); };
+  const double refined = n + 1 < count() ? cells(n + 1) / 8 : 0;
+  return std::ldexp(cells(n) - refined, 3 * (count() - 1 - n));
+}
+
+Vec3 Levels::half_impulse() const {
+  Vec3 sum = Vec3::Zero();
+  for (int n = 0; n < count(); ++n) sum += 0.5 * volume(n) * impulses_[n].acted;
   return sum;
 }
 

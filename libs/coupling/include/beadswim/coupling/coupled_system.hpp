@@ -13,8 +13,7 @@
 #include "beadswim/coupling/conservation.hpp"
 #include "beadswim/coupling/coverage.hpp"
 #include "beadswim/coupling/fault.hpp"
-#include "beadswim/coupling/saturated_cells.hpp"
-#include "beadswim/coupling/saturated_sums.hpp"
+#include "beadswim/coupling/saturated_boundary.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/coupling/swimmer_snapshot.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
@@ -26,16 +25,20 @@ namespace beadswim {
 /// Part of the state of a system that a checkpoint stores in addition to populations and swimmers.
 struct SystemProgress {
   long steps_done = 0;
-  double largest_bead_speed = 0;  ///< largest speed of any bead so far [cell/step]
-  double smallest_gap = 0;        ///< smallest gap so far, as CoupledSystem::smallest_gap() [cell]
-  /// Momentum that each cell gains in the next step, which balances net driving forces.
-  Vec3 body_force = Vec3::Zero();
+  double largest_bead_speed = 0;   ///< largest speed of any bead so far [cell/step]
+  double smallest_gap = 0;         ///< smallest gap so far, as CoupledSystem::smallest_gap() [cell]
+  Vec3 body_force = Vec3::Zero();  ///< momentum that each cell gains in the next step
+  /// Impulse of net driving forces that no body force has balanced yet.
+  Vec3 unbalanced = Vec3::Zero();
+  std::vector<BodyImpulse> body_impulses;  ///< Levels::body_impulses()
 
   /// Visits all fields but the number of steps.
   static void visit_fields(auto&& visit, auto& progress) {
     visit("largest_bead_speed", progress.largest_bead_speed);
     visit("smallest_gap", progress.smallest_gap);
     visit("body_force", progress.body_force);
+    visit("unbalanced", progress.unbalanced);
+    visit("body_impulses", progress.body_impulses);
   }
 };
 
@@ -67,6 +70,10 @@ class CoupledSystem {
   /// Returns the beads that touch the block of this rank. coverage() identifies the bead of a covered cell by
   /// its index in this list.
   const std::vector<BeadOnLattice>& beads_here() const { return beads_; }
+
+  /// Returns the forces of beads on the fluid in the last step, with the scheme psm. Half of a force belongs
+  /// to the velocity of its cell.
+  const std::vector<SaturatedForce>& saturated_forces() const { return saturated_forces_; }
 
   /// Returns the first fault on any rank, or nothing if no rank has found a fault. For example, a bead has a
   /// fault if its surface moves by more than 1/2 cell per step (the stop rule of Pickl et al. 2017).
@@ -100,7 +107,9 @@ class CoupledSystem {
     return {.steps_done = steps_done_,
             .largest_bead_speed = largest_bead_speed(),
             .smallest_gap = smallest_gap(),
-            .body_force = body_force_};
+            .body_force = body_force_,
+            .unbalanced = unbalanced_,
+            .body_impulses = levels_.body_impulses()};
   }
 
   /// Returns true if this rank owns the swimmer, that is if its middle() lies in the block of this rank.
@@ -124,9 +133,10 @@ class CoupledSystem {
   void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
   void add_driving_impulse(const SwimmerMotion& now, const SwimmerMotion& before, const SwimmerLoads& loads,
                            const SwimmerType& type);
-  /// Sets the body force of the next step, in scenes with net driving forces that no wall takes up. It
-  /// balances the driving forces of this step along the periodic axes. Collective: such scenes alone
-  /// communicate globally in each step.
+  /// Sets the body force of the next step, in scenes with net driving forces that no wall takes up. Along the
+  /// periodic axes, it balances the driving forces of this step and removes a part of the momentum that fluid
+  /// and beads have with the densities of the layout. Collective: such scenes alone communicate globally in
+  /// each step.
   void balance_net_force();
   /// Adds the body force on the cells that each bead covers to its impulse.
   void add_body_force_on_beads();
@@ -138,6 +148,13 @@ class CoupledSystem {
   /// Returns the fault of a swimmer, if it has one. Also updates the largest speed and the smallest gap.
   std::optional<Fault> fault_of(const SwimmerState& swimmer);
   void record_fault(Fault fault);
+  /// Calls visit(swimmer, index of the bead, bead of its type) for all beads of owned swimmers.
+  void for_each_owned_bead(auto&& visit) const {
+    for (const SwimmerState& swimmer : owned_) {
+      const std::vector<BeadAtRest>& beads = scene_.types[swimmer.type].beads;
+      for (std::size_t b = 0; b < beads.size(); ++b) visit(swimmer, b, beads[b]);
+    }
+  }
   /// Calls `function`, which may throw on this rank while it succeeds on other ranks. Records an exception as
   /// a fault of this rank instead of passing it on, because the other ranks continue the step. The state of
   /// this rank then counts as non-finite.
@@ -158,16 +175,17 @@ class CoupledSystem {
   void if_state_is_finite(Function&& function) {
     if (state_is_finite_) record_faults(function);
   }
-  /// Sets two totals of mass and momentum to the contribution of this rank. `everything`: fluid, beads and
-  /// impulses that are not yet applied to beads. `all_cells`: all cells of the block, where the volume within
-  /// a bead counts with density 1 and the velocity of the bead.
-  void add_totals(FluidTotals& everything, FluidTotals& all_cells) const;
-  /// Subtracts the covered cells, which contain no fluid, from the totals of the fluid. Returns the momentum
-  /// of the covered cells at density 1 and the velocity of their beads.
-  FluidTotals exchange_covered_cells(FluidTotals& fluid) const;
-  /// Subtracts the fluid within the beads of owned swimmers from the totals of the fluid. Returns the
-  /// momentum that the same volumes have at density 1 and the velocity of their beads.
-  FluidTotals exchange_inner_fluid(FluidTotals& fluid) const;
+  // Totals of mass and momentum, contributions of this rank:
+  /// Fluid of the finest level outside beads.
+  FluidTotals fluid_totals() const;
+  /// Beads, and impulses that are not yet applied to beads.
+  FluidTotals bead_totals() const;
+  /// Volume within beads, at density 1 and the velocity of the bead, plus half of the last impulse of the
+  /// body force, which Levels::half_impulse() contains for this volume too. With psm, less half of the forces
+  /// on the fluid outside the beads, which does not belong to its velocity.
+  FluidTotals volume_of_beads() const;
+  /// Momentum of owned beads beyond volume_of_beads(), with the densities of the layout.
+  FluidTotals excess_totals() const;
 
   const Communicator& communicator_;
   CoupledScene scene_;
@@ -176,15 +194,17 @@ class CoupledSystem {
   NearContactLaw near_contact_;
   bool has_net_force_ = false;      ///< true if a body force balances net driving forces
   FluidTotals driving_impulse_;     ///< impulse of driving forces on owned swimmers in this step
+  Vec3 unbalanced_ = Vec3::Zero();  ///< SystemProgress::unbalanced
   Vec3 body_force_ = Vec3::Zero();  ///< momentum that each cell gains in a step
   std::vector<int> substeps_;       ///< number of substeps per step, for each swimmer type
   std::vector<SwimmerState> owned_;
   std::vector<BeadOnLattice> beads_, beads_before_;
   Coverage coverage_;
-  BeadLinks links_;                            ///< empty for psm
-  SaturatedCells saturated_cells_;             ///< empty for schemes with links
-  std::vector<LinkSums> link_sums_;            ///< one per bead of beads_; zero between steps
-  std::vector<SaturatedSums> saturated_sums_;  ///< one per bead of beads_; zero between steps
+  BeadLinks links_;                               ///< empty for psm
+  SaturatedCells saturated_cells_;                ///< empty for schemes with links
+  std::vector<LinkSums> link_sums_;               ///< one per bead of beads_; zero between steps
+  std::vector<SaturatedSums> saturated_sums_;     ///< one per bead of beads_; zero between steps
+  std::vector<SaturatedForce> saturated_forces_;  ///< of the last step of this system; empty with links
   /// Impulses on owned swimmers that a restored state contained and that are not yet applied.
   std::map<BeadName, Impulse> pending_impulses_;
   std::optional<Fault> fault_;     ///< the first fault on this rank

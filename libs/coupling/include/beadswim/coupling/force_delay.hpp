@@ -20,10 +20,13 @@ constexpr double force_delay(double relaxation_time) {
   return 1.5 * (relaxation_time - 0.5) + 1;
 }
 
-/// Returns a copy of a bead (lattice units) whose density is increased by 9 nu t_d/(2 R^2) [density of the
-/// fluid]. nu is the kinematic viscosity, R the radius of the bead and t_d = force_delay() the delay of the
-/// force. The increase compensates this delay. The moment of inertia increases in proportion, which
-/// compensates 0.3 to 0.45 of the delay of the torque.
+/// Returns 9 nu t_d/(2 R^2), the density [density of the fluid] that compensates the delay for a bead in
+/// lattice units. nu is the kinematic viscosity, R the radius of the bead and t_d = force_delay() the delay
+/// of the force.
+double delay_density(const Bead& bead, double relaxation_time);
+
+/// Returns a copy of a bead whose density is increased by delay_density(). The moment of inertia increases in
+/// proportion, which compensates 0.3 to 0.45 of the delay of the torque.
 Bead with_delay_correction(Bead bead, double relaxation_time);
 
 }  // namespace beadswim

@@ -29,6 +29,7 @@ struct CoupledScene : Swarm {
   double relaxation_time = 1;             ///< tau [step]
   Precision precision = Precision::fp64;  ///< floating-point precision of the populations
   BeadScheme bead_boundary = BeadScheme::staircase;
+  bool corrects_delay = false;  ///< the densities of the types include delay_density()
   bool corrects_radii = false;  ///< adapts radii so that hydrodynamic radii equal the radii of the types
   bool lubrication = true;  ///< adds the resistance of films between beads that the lattice does not resolve
   double friction = 0;      ///< Coulomb's friction coefficient between beads in contact

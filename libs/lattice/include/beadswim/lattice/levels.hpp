@@ -25,6 +25,17 @@ double relaxation_time_of_level(double finest, int finer_levels);
 std::vector<LevelPlace> places_in_box(const Index3& cells, const std::array<Boundary, 3>& boundary,
                                       std::span<const Block> lattices);
 
+/// Impulse of the body force per volume on a level (body_force.hpp).
+struct BodyImpulse {
+  Vec3 pending = Vec3::Zero();  ///< for the next step of the level, with the rounding errors of earlier steps
+  Vec3 acted = Vec3::Zero();    ///< impulse of the last step
+
+  static void visit_fields(auto&& visit, auto& impulse) {
+    visit("pending", impulse.pending);
+    visit("acted", impulse.acted);
+  }
+};
+
 /// The fluid on nested levels of cells. Each level has cells of half the size of the next coarser level and
 /// makes two steps in one step of it. Velocity and density have the same values on all levels, in lattice
 /// units of each level.
@@ -45,22 +56,39 @@ class Levels {
   Level& finest() { return *levels_.back(); }
   const Level& finest() const { return *levels_.back(); }
 
+  /// Returns the velocity of a cell of level n [cell/step]. The populations contain the whole impulse of the
+  /// body force in the last step; half of it belongs to the velocity.
+  Vec3 velocity(int n, std::ptrdiff_t cell) const {
+    return cell_moments(levels_[n]->populations, cell).momentum - 0.5 * impulses_[n].acted;
+  }
+  /// Returns half of the impulse of the body force in the last step of each level, summed over the box, in
+  /// lattice units of the finest level.
+  Vec3 half_impulse() const;
+
+  /// Impulses of the body force, one per level: part of the state between two steps.
+  const std::vector<BodyImpulse>& body_impulses() const { return impulses_; }
+  void set_body_impulses(std::vector<BodyImpulse> impulses) {
+    impulses_ = std::move(impulses);
+    impulses_.resize(levels_.size());
+  }
+
   /// Makes one step of the finest level, and the steps of coarser levels that are then due. Calls
   /// before_row(y, z) before it sweeps a row of the finest level (step_fluid()). body_force: momentum that
-  /// each cell of the finest level gains in this step.
+  /// each cell of the finest level gains in this step. What acting_body_force() rounds off acts in later
+  /// steps.
   template <class BeforeRow>
   void step(const Vec3& body_force, BeforeRow&& before_row) {
-    for (Vec3& impulse : impulses_) impulse += body_force;
+    for (BodyImpulse& impulse : impulses_) impulse.pending += body_force;
     advance(count() - 1, before_row);
   }
 
   /// Returns the totals of this rank outside the finest level, in the form that sum_of_coarser() needs.
   /// Throws SolverError if a number is non-finite.
   std::vector<FluidTotals> coarser_totals() const;
-  /// Returns the mass (minus that at density 1) and the momentum of the fluid outside the finest level, in
-  /// lattice units of the finest level. Between two steps of a coarser level, populations that have crossed
-  /// its interface are counted on the side to which they have moved. `totals`: coarser_totals() of this rank;
-  /// if it is empty, the rank counts as zero. Collective.
+  /// Returns the mass (minus that at density 1) and the momentum of the fluid outside the finest level, and
+  /// the pending impulses of the body force, in lattice units of the finest level. Between two steps of a
+  /// coarser level, populations that have crossed its interface are counted on the side to which they have
+  /// moved. `totals`: coarser_totals() of this rank; if it is empty, the rank counts as zero. Collective.
   CellMoments sum_of_coarser(std::vector<FluidTotals> totals, const Communicator& communicator) const;
 
   /// Returns the messages that have been sent so far.
@@ -76,6 +104,9 @@ class Levels {
   }
 
  private:
+  /// Returns the volume of level n outside the next finer level [cell of the finest level].
+  double volume(int n) const;
+
   /// Coarser levels contain no beads. (A lambda would have another type in each instance of advance().)
   struct NoBeads {
     void operator()(int, int) const {}
@@ -88,8 +119,11 @@ class Levels {
     LevelInterface* const to_coarser = n > 0 ? interfaces_[n - 1].get() : nullptr;
     LevelInterface* const to_finer = n + 1 < count() ? interfaces_[n].get() : nullptr;
     if (to_coarser) to_coarser->begin_fine_step(levels_[n - 1]->populations, level.populations);
+    BodyImpulse& impulse = impulses_[n];
+    impulse.acted = acting_body_force(impulse.pending, level.populations.precision());
+    impulse.pending -= impulse.acted;
     step_fluid(
-        level.populations, level.halo, level.rates, impulses_[n],
+        level.populations, level.halo, level.rates, impulse.acted,
         [&](int z) {
           if (to_coarser) to_coarser->set_fine_plane(level.populations, z);
           if (to_finer) to_finer->set_coarse_plane(level.populations, z);
@@ -100,13 +134,12 @@ class Levels {
           if (to_finer) to_finer->read_coarse_plane(level.populations, z);
         },
         level.refined);
-    impulses_[n] = Vec3::Zero();
     if (to_coarser && to_coarser->end_fine_step()) advance(n - 1, NoBeads{});
   }
 
   std::vector<std::unique_ptr<Level>> levels_;               ///< coarsest first
   std::vector<std::unique_ptr<LevelInterface>> interfaces_;  ///< interface n joins levels n and n + 1
-  std::vector<Vec3> impulses_;  ///< impulse per volume on each level since its last step
+  std::vector<BodyImpulse> impulses_;                        ///< one per level
 };
 
 }  // namespace beadswim

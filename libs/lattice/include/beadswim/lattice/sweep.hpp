@@ -48,6 +48,11 @@ class BlockSweep {
 void stream_and_collide(Populations& populations, const RelaxationRates& rates,
                         RowEnds row_ends = RowEnds::left_to_halo, const Vec3& body_force = Vec3::Zero());
 
+/// Returns the body force that may act instead of `body_force` on populations of this precision. In single
+/// precision it has so few binary digits that a population takes it up without rounding. Other errors would
+/// not average out, because they are equal in many cells and steps.
+Vec3 acting_body_force(const Vec3& body_force, Precision precision);
+
 /// Returns the instruction set that the kernels use on this processor: "x86-64-v4", "x86-64-v3" or
 /// "baseline".
 std::string sweep_instruction_set();

@@ -73,21 +73,18 @@ struct CollisionRates {
   Real plus_axis, minus_axis;
 };
 
-namespace detail {
-/// Returns x rounded to five binary digits fewer than Real has.
-template <class Real>
-Real round_mantissa(double x) {
+/// Returns x rounded to a number of binary digits.
+inline double with_digits(double x, int digits) {
   int exponent = 0;
   const double mantissa = std::frexp(x, &exponent);
-  constexpr int digits = std::numeric_limits<Real>::digits - 5;
-  return static_cast<Real>(std::ldexp(std::nearbyint(std::ldexp(mantissa, digits)), exponent - digits));
+  return std::ldexp(std::nearbyint(std::ldexp(mantissa, digits)), exponent - digits);
 }
-}  // namespace detail
 
 template <class Real>
 CollisionRates<Real> collision_rates(const RelaxationRates& rates) {
-  return {detail::round_mantissa<Real>(rates.symmetric / 18),
-          detail::round_mantissa<Real>(rates.antisymmetric / 6)};
+  constexpr int digits = std::numeric_limits<Real>::digits - 5;
+  return {static_cast<Real>(with_digits(rates.symmetric / 18, digits)),
+          static_cast<Real>(with_digits(rates.antisymmetric / 6, digits))};
 }
 
 /// Collides the 19 populations of one cell in place.
