@@ -103,42 +103,98 @@ TEST(CycleStatistics, MeanFlowIsItsTimeAverage) {
   EXPECT_NEAR((statistics.mean_flow - Vec3(1e-6, 2e-6, 0)).norm(), 0, 1e-6 * roundoff(50));
 }
 
-// A triangle that turns at a constant rate about a tilted axis, from an orientation of its own, with four
-// arms of a graph that is no chain.
-TEST(CycleStatistics, OfATurningTriangleHaveItsAngularVelocity) {
+/// Returns a triangle with a tail: four arms of a graph that is no chain.
+SwimmerType tailed_triangle() {
   SwimmerType type;
   for (const Vec3& at : {Vec3(-8, -4, 0), Vec3(8, -4, 0), Vec3(0, 9, 0), Vec3(0, 30, 0)})
     type.beads.push_back({{.radius = 4, .density = 1}, at});
   for (const std::array<int, 2>& beads : {std::array{0, 1}, {1, 2}, {2, 0}, {2, 3}})
     type.bonds.push_back({{1, 16, 0}, beads});
   type.driving.period = period;
-  const Eigen::Matrix3d start = Eigen::AngleAxisd(2.0, Vec3(1, 2, 2) / 3).toRotationMatrix();
-  const Vec3 rate = 1e-3 * tilted_axis;
-  std::vector<SwimmerSample> samples;
-  for (int n = 0; n <= 40; ++n) {
-    const double time = period * n / 40;
-    const Eigen::Matrix3d turned = Eigen::AngleAxisd(rate.norm() * time, tilted_axis) * start;
-    samples.push_back({time, rest_positions(type, Vec3(50, 60, 70) + drift * time * tilted_axis, turned)});
-  }
-  const CycleStatistics statistics = cycle_statistics(1, samples, type, start);
-  EXPECT_NEAR((*statistics.angular_velocity - rate).norm(), 0, tolerance / period);
-  const auto& [w, x, y, z] = *statistics.orientation;
-  const Eigen::Matrix3d end = Eigen::AngleAxisd(rate.norm() * period, tilted_axis) * start;
-  EXPECT_NEAR((Eigen::Quaterniond(w, x, y, z).toRotationMatrix() - end).norm(), 0, tolerance);
-  EXPECT_EQ(statistics.arm_means.size(), 4u);
-  EXPECT_NEAR(statistics.arm_means[3], 21, tolerance);
+  return type;
 }
 
-// A straight swimmer that turns sideways does not turn about its axis.
-TEST(CycleStatistics, OfAStraightSwimmerTurnByTheShortestWay) {
-  std::vector<SwimmerSample> samples = cycle(40, 0);
-  const Vec3 rate(0, 0, 2e-4);
-  for (SwimmerSample& sample : samples)
-    for (Vec3& bead : sample.bead_positions)
-      bead = Eigen::AngleAxisd(rate.norm() * sample.time, Vec3::UnitZ()) *
-             (Vec3(bead.x(), 0, 0) / tilted_axis.x());
-  const CycleStatistics statistics = statistics_of(1, samples, period);
-  EXPECT_NEAR((*statistics.angular_velocity - rate).norm(), 0, tolerance / period);
+/// Rotation by `angle` per period about an axis through a point at the distance `offset` from the origin of
+/// the type, displacement along this axis, and an oscillation of the mean bead position, all along the frame
+/// of the type at time 0.
+struct Screw {
+  double angle = 0;
+  Vec3 offset = Vec3(5, 3, -2), oscillation = Vec3(-1, 2, 1);
+  Eigen::Matrix3d start = Eigen::AngleAxisd(2.0, Vec3(1, 2, 2) / 3).toRotationMatrix();
+  Vec3 flow = Vec3::Zero();  ///< [cells/step]
+
+  Eigen::Matrix3d rotation(double cycles) const {
+    return Eigen::AngleAxisd(angle * cycles, tilted_axis).toRotationMatrix();
+  }
+  Eigen::Matrix3d orientation(double cycles) const { return rotation(cycles) * start; }
+  std::vector<SwimmerSample> samples(const SwimmerType& type, double first_cycle) const {
+    std::vector<SwimmerSample> list;
+    for (int n = 0; n <= 40; ++n) {
+      const double cycles = first_cycle + n / 40.0, time = period * cycles;
+      const Vec3 place = Vec3(50, 60, 70) + drift * time * tilted_axis + time * flow +
+                         rotation(cycles) * (offset + std::sin(2 * pi * cycles + 0.4) * oscillation);
+      list.push_back({time, rest_positions(type, place, orientation(cycles))});
+    }
+    return list;
+  }
+};
+
+constexpr std::array angles{1e-9, 0.16, 2.0, pi, -5.0, 2 * pi, 6.5, -24.0};  // [rad], per period
+
+TEST(CycleStatistics, RotationIncludesWholeTurns) {
+  SwimmerType rod = tailed_triangle();
+  rod.bonds = {rod.bonds[0]};
+  rod.beads.resize(2);
+  for (const double angle : angles) {
+    const Screw screw{.angle = angle};
+    const SwimmerType type = tailed_triangle();
+    const CycleStatistics statistics = cycle_statistics(1, screw.samples(type, 0), type, screw.start);
+    EXPECT_NEAR((*statistics.angular_velocity * period - angle * tilted_axis).norm(), 0, tolerance) << angle;
+    const auto& [w, x, y, z] = *statistics.orientation;
+    EXPECT_NEAR((Eigen::Quaterniond(w, x, y, z).toRotationMatrix() - screw.orientation(1)).norm(), 0,
+                tolerance);
+    EXPECT_EQ(statistics.arm_means.size(), 4u);
+    EXPECT_NEAR(statistics.arm_means[3], 21, tolerance);
+    // A rod across the axis of the rotation; its rotation about itself is not defined. After exactly half a
+    // turn neither is the shortest turn between its directions.
+    if (angle == pi) continue;
+    const Screw across{.angle = angle, .start = shortest_turn(Vec3(2, 2, -1) / 3)};
+    const CycleStatistics of_rod = cycle_statistics(1, across.samples(rod, 0), rod, across.start);
+    EXPECT_NEAR((*of_rod.angular_velocity * period - angle * tilted_axis).norm(), 0, tolerance) << angle;
+  }
+}
+
+// Would catch the displacement between the ends of the cycle, which depends on the phase of the oscillation
+// there, a mean of it in the frame of the box, and a flow that is turned with the swimmer.
+TEST(CycleStatistics, VelocityOfAScrewMotionDoesNotDependOnTheStartOfTheCycle) {
+  const SwimmerType type = tailed_triangle();
+  for (const double angle : angles)
+    for (const Vec3& flow : {Vec3(0, 0, 0), Vec3(0.1, -0.2, 0.3)})
+      for (const double first : {0.0, 0.3, 7.8}) {
+        const Screw screw{.angle = angle, .flow = flow};
+        const CycleStatistics statistics =
+            cycle_statistics(1, screw.samples(type, first), type, screw.start, {.velocity = flow});
+        const Vec3 mean =
+            screw.offset + screw.start * Vec3(0, 7.75, 0);  // mean bead position without oscillation
+        const Vec3 turned = screw.rotation(first + 1) * mean - screw.rotation(first) * mean;
+        EXPECT_NEAR((statistics.velocity - turned / period - drift * tilted_axis - flow).norm(), 0,
+                    10 * tolerance / period)
+            << angle << " " << first;
+        EXPECT_NEAR((statistics.axis - screw.orientation(first + 0.5).col(0)).norm(), 0, tolerance);
+      }
+}
+
+// Forces along directions of the box do not turn with the swimmer, and neither does its oscillation.
+TEST(CycleStatistics, VelocityUnderForcesAlongTheBoxIsTheDisplacement) {
+  SwimmerType type = tailed_triangle();
+  type.driving.forces.push_back({.bead = 0, .direction = Vec3::UnitX()});
+  const Screw screw{.angle = 2};
+  const std::vector<SwimmerSample> samples = screw.samples(type, 0);
+  Vec3 displacement = Vec3::Zero();
+  for (int b = 0; b < 4; ++b)
+    displacement += (samples.back().bead_positions[b] - samples.front().bead_positions[b]) / 4;
+  const Vec3 velocity = cycle_statistics(1, samples, type, screw.start).velocity;
+  EXPECT_NEAR((velocity - displacement / period).norm(), 0, tolerance / period);
 }
 
 TEST(CycleStatistics, RefusesSamplesThatAreNotOneCycle) {

@@ -9,7 +9,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
-#include "beadswim/swimmers/swimmer_shape.hpp"
+#include "beadswim/swimmers/turning_frame.hpp"
 
 namespace beadswim {
 namespace {
@@ -64,6 +64,37 @@ Eigen::Matrix3d orientation_of(const SwimmerSample& sample, const SwimmerType& t
   return fitted_orientation(type, columns_of_beads(sample.bead_positions), near);
 }
 
+/// Returns the part of the cycle until a sample, from 0 to 1.
+double phase(const SwimmerSample& sample, Samples samples, double period) {
+  return (sample.time - samples.front().time) / period;
+}
+
+/// Returns the displacement D (turning_frame.hpp) [length]. `turn`: Omega T.
+Vec3 displacement(Samples samples, double period, const Vec3& turn, const BackgroundFlow& flow,
+                  const Vec3& mean_flow) {
+  std::vector<double> phases;
+  std::vector<Vec3> places;
+  for (const SwimmerSample& sample : samples) {
+    phases.push_back(phase(sample, samples, period));
+    places.push_back(mean_bead_position(sample));
+  }
+  const Vec3 carrying = mean_flow + flow.at(time_average(samples, period, mean_bead_position));
+  return displacement_in_cycle(phases, places, turn, period * carrying);
+}
+
+/// Returns the rotation vector Omega T (turning_frame.hpp) between orientations at the ends of the cycle.
+Vec3 rotation_vector(Samples samples, const SwimmerType& type, const Eigen::Matrix3d& start,
+                     const Eigen::Matrix3d& end) {
+  std::vector<Eigen::Matrix3d> parts;
+  Eigen::Matrix3d before = start;
+  for (const SwimmerSample& sample : samples.subspan(1)) {
+    const Eigen::Matrix3d now = orientation_of(sample, type, before);
+    parts.emplace_back(now * before.transpose());
+    before = now;
+  }
+  return rotation_in_cycle(end * start.transpose(), parts);
+}
+
 }  // namespace
 
 StrokeFit fit_cycle(Samples samples, double period,
@@ -93,24 +124,27 @@ BeadVectors mean_shape(Samples samples, const SwimmerType& type, const Eigen::Ma
 }
 
 CycleStatistics cycle_statistics(int index, Samples samples, const SwimmerType& type,
-                                 const Eigen::Matrix3d& initial_orientation) {
+                                 const Eigen::Matrix3d& initial_orientation, const BackgroundFlow& flow) {
   const double period = type.driving.period;
-  const auto axis = [&](const SwimmerSample& sample) {
-    return axis_of(type, sample.bead_positions, initial_orientation);
-  };
   require_one_cycle(index, samples, period);
   CycleStatistics cycle;
   cycle.index = index;
-  cycle.velocity = (mean_bead_position(samples.back()) - mean_bead_position(samples.front())) / period;
-  cycle.axis = time_average(samples, period, axis).normalized();
-  cycle.speed_along_axis = cycle.velocity.dot(cycle.axis);
   cycle.mean_flow = time_average(samples, period, [](const SwimmerSample& s) { return s.mean_flow; });
   const Eigen::Matrix3d start = orientation_of(samples.front(), type, initial_orientation);
   const Eigen::Matrix3d end = orientation_of(samples.back(), type, start);
   const Eigen::Quaterniond q(end);
   cycle.orientation = {q.w(), q.x(), q.y(), q.z()};
-  const Eigen::AngleAxisd turn(end * start.transpose());
-  cycle.angular_velocity = turn.angle() / period * turn.axis();
+  const Vec3 rotation = rotation_vector(samples, type, start, end);
+  cycle.angular_velocity = rotation / period;
+
+  const Vec3 turn = drives_turn_with_swimmer(type.driving) ? rotation : Vec3(Vec3::Zero());
+  cycle.velocity = displacement(samples, period, turn, flow, cycle.mean_flow) / period;
+  const auto axis_at_start = [&](const SwimmerSample& s) -> Vec3 {
+    return rotation_by(-phase(s, samples, period) * turn) *
+           axis_of(type, s.bead_positions, initial_orientation);
+  };
+  cycle.axis = rotation_by(turn / 2) * time_average(samples, period, axis_at_start).normalized();
+  cycle.speed_along_axis = cycle.velocity.dot(cycle.axis);
   for (const Bond& bond : type.bonds) {
     const StrokeFit fit =
         fit_cycle(samples, period, [&](const SwimmerSample& s) { return bond_vector(s, bond).norm(); });

@@ -1,17 +1,16 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 
 #include "anderson_mixing.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/trigonometric_nodes.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
+#include "beadswim/swimmers/turning_frame.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
 #include "shape_cycle.hpp"
 #include "shape_flow.hpp"
@@ -21,8 +20,7 @@ namespace {
 
 /// Returns true if the motion does not depend on the orientation in the box.
 bool is_free_to_turn(const ShapedSwimmer& swimmer) {
-  const Driving& driving = swimmer.type.driving;
-  return !swimmer.is_held() && (driving.forces.empty() || driving.frame == DrivingFrame::body);
+  return !swimmer.is_held() && drives_turn_with_swimmer(swimmer.type.driving);
 }
 
 /// Returns true if the shape repeats only in a frame that turns.
@@ -86,89 +84,42 @@ std::optional<ShapeCycle> periodic_cycle(const ShapedSwimmer& swimmer, PairTenso
                             max_cycles, to_text(DrivingFrame::body)));
 }
 
-Vec3 rotation_vector(const Eigen::Matrix3d& rotation) {
-  const Eigen::AngleAxisd turn(rotation);
-  return turn.angle() * turn.axis();
-}
-
-/// Returns the rotation vector of the whole cycle; its angle may exceed half a turn.
-Vec3 rotation_in(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
-  Vec3 sum = Vec3::Zero();
+/// Returns the rotation vector Omega T (swimmers/turning_frame.hpp) [radian].
+Vec3 rotation_vector(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
+  std::vector<Eigen::Matrix3d> parts;
   for (std::size_t s = 0; s + 1 < cycle.beads.size(); ++s)
-    sum += rotation_vector(rotation_between(swimmer, cycle.beads[s], cycle.beads[s + 1]));
-  const Vec3 rest = rotation_vector(rotation_between(swimmer, cycle.beads.front(), cycle.beads.back()));
-  const double angle = rest.norm();
-  constexpr double roundoff = 1e-9;
-  const Vec3 axis = angle > roundoff ? Vec3(rest / angle) : sum.stableNormalized();
-  constexpr double whole = 2 * std::numbers::pi;
-  return rest + whole * std::round((sum.dot(axis) - angle) / whole) * axis;
+    parts.push_back(rotation_between(swimmer, cycle.beads[s], cycle.beads[s + 1]));
+  return rotation_in_cycle(rotation_between(swimmer, cycle.beads.front(), cycle.beads.back()), parts);
 }
 
-Eigen::Matrix3d rotation_by(const Vec3& vector) {
-  const double angle = vector.norm();
-  return angle > 0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
-                   : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-}
-
-/// Returns the integral of rotation_by(u vector) over u from 0 to 1.
-Eigen::Matrix3d mean_rotation(const Vec3& vector) {
-  Eigen::Matrix3d cross;
-  cross << 0, -vector.z(), vector.y(), vector.z(), 0, -vector.x(), -vector.y(), vector.x(), 0;
-  const double angle = vector.norm(), a2 = angle * angle;
-  constexpr double small = 1e-3;  // below it, series are exact to roundoff
-  const double first = angle < small ? 0.5 - a2 / 24 : (1 - std::cos(angle)) / a2;
-  const double second = angle < small ? 1.0 / 6 - a2 / 120 : (angle - std::sin(angle)) / (a2 * angle);
-  return Eigen::Matrix3d::Identity() + first * cross + second * cross * cross;
-}
-
-/// A frame that moves along a helix: rotation E(t) = exp(Omega t) and origin o(t) = o(0) + integral of E V.
-/// In it the motion is periodic, and the mean over a period of the mean bead position is its origin.
-struct MovingFrame {
-  Vec3 velocity, angular_velocity;  ///< V, Omega at time 0
-  Vec3 origin;                      ///< o(0)
-};
-
-/// Returns the moving frame. The mean bead position c satisfies
-///
-///   c(t) = o(t) + E(t) xi(t),   xi(T) = xi(0),   <xi> = 0
-///
-/// which are six linear equations for o(0) and V.
-MovingFrame moving_frame(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
-  const double period = swimmer.type.driving.period;
-  const int steps = static_cast<int>(cycle.beads.size()) - 1;
-  Vec3 turn = Vec3::Zero();  // Omega T
-  if (has_turning_frame(swimmer)) turn = rotation_in(swimmer, cycle);
-  const auto centre = [&](int s) -> Vec3 { return cycle.beads[s].rowwise().mean(); };
-  Eigen::Matrix<double, 6, 6> equations = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
-  const Eigen::Matrix3d whole = rotation_by(turn), unit = Eigen::Matrix3d::Identity();
-  equations.topLeftCorner<3, 3>() = unit - whole;  // o(0)
-  equations.topRightCorner<3, 3>() = period * mean_rotation(turn);
-  right.head<3>() = centre(steps) - whole * centre(0);
-  for (int s = 0; s < steps; ++s) {
-    const double part = static_cast<double>(s) / steps;
-    const Eigen::Matrix3d back = rotation_by(-part * turn);
-    equations.bottomLeftCorner<3, 3>() += back / steps;
-    equations.bottomRightCorner<3, 3>() += back * (part * period / steps) * mean_rotation(part * turn);
-    right.tail<3>() += back * centre(s) / steps;
+/// Returns the displacement D relative to the background flow, in the orientation of the swimmer in the
+/// middle of the cycle (swimmers/turning_frame.hpp) [length]. `carried`: displacement by the flow.
+Vec3 own_displacement(const ShapedSwimmer& swimmer, const ShapeCycle& cycle, const Vec3& rotation,
+                      const Vec3& carried) {
+  const Vec3 turn = drives_turn_with_swimmer(swimmer.type.driving) ? rotation : Vec3(Vec3::Zero());
+  std::vector<double> phases;
+  std::vector<Vec3> places;
+  for (std::size_t s = 0; s < cycle.beads.size(); ++s) {
+    phases.push_back(static_cast<double>(s) / static_cast<double>(cycle.beads.size() - 1));
+    places.emplace_back(cycle.beads[s].rowwise().mean());
   }
-  const Eigen::Matrix<double, 6, 1> solution = equations.partialPivLu().solve(right);
-  return {.velocity = solution.tail<3>(), .angular_velocity = turn / period, .origin = solution.head<3>()};
+  return rotation_by(-turn / 2) * (displacement_in_cycle(phases, places, turn, carried) - carried);
 }
 
 PeriodicShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
   const SwimmerType& type = swimmer.type;
   const int steps = static_cast<int>(cycle.beads.size()) - 1;
-  const MovingFrame frame = moving_frame(swimmer, cycle);
+  const double period = type.driving.period;
+  const Vec3 rotation = has_turning_frame(swimmer) ? rotation_vector(swimmer, cycle) : Vec3(Vec3::Zero());
   PeriodicShapeMotion motion;
   motion.steps = steps;
   motion.smallest_gap = std::numeric_limits<double>::infinity();
   motion.mean_shape = BeadVectors::Zero(3, std::ssize(type.beads));
   Eigen::MatrixXd lengths(std::ssize(type.bonds), steps);
   for (int s = 0; s < steps; ++s) {
-    const double part = static_cast<double>(s) / steps, time = part * type.driving.period;
+    const double phase = static_cast<double>(s) / steps, time = phase * period;
     const BeadVectors& beads = cycle.beads[s];
-    motion.mean_shape += rotation_by(-time * frame.angular_velocity) * centred(beads) / steps;
+    motion.mean_shape += rotation_by(-phase * rotation) * centred(beads) / steps;
     motion.power += power_of_drives(type, time, beads, cycle.velocities[s], swimmer.orientation) / steps;
     motion.smallest_gap = std::min(motion.smallest_gap, smallest_gap(swimmer, beads));
     lengths.col(s) = bond_lengths(type, beads);
@@ -186,8 +137,10 @@ PeriodicShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cy
   if (!has_turning_frame(swimmer)) motion.turn = Eigen::AngleAxisd(turn).angle();
   const Eigen::Matrix3d to_box = free ? turn : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   motion.mean_shape = to_box * motion.mean_shape;
-  motion.velocity = to_box * frame.velocity;
-  motion.angular_velocity = to_box * frame.angular_velocity;
+  const Vec3 carrying = swimmer.flow.at(swimmer.place);
+  motion.velocity =
+      carrying + to_box * own_displacement(swimmer, cycle, rotation, period * carrying) / period;
+  motion.angular_velocity = to_box * rotation / period;
   return motion;
 }
 
@@ -224,9 +177,15 @@ PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw 
     motion = motion_of(swimmer, *cycle);
     start = cycle->beads.front();
     if (!coarse) continue;
+    const double reach = motion->mean_shape.cwiseAbs().maxCoeff(), speed = largest_speed(*cycle);
+    const auto is_resolved = [&](double change, double size) {
+      return change <= std::max(resolved * size, roundoff * speed);
+    };
     motion->numerical_error = (motion->velocity - coarse->velocity).norm();
-    const double enough = std::max(resolved * motion->velocity.norm(), roundoff * largest_speed(*cycle));
-    if (motion->numerical_error <= enough) break;
+    const Vec3 turning = motion->angular_velocity - coarse->angular_velocity;
+    if (is_resolved(motion->numerical_error, motion->velocity.norm()) &&
+        is_resolved(reach * turning.norm(), reach * motion->angular_velocity.norm()))
+      break;
   }
   if (motion) return *motion;
   throw InputError(

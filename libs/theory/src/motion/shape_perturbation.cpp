@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <array>
+#include <boost/math/special_functions/sinc.hpp>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -265,6 +266,13 @@ Stroke stroke_of_bonds(const SwimmerType& type, const ShapeExpansion& expansion,
   return stroke_of(amplitudes);
 }
 
+/// Returns the mean velocity over a cycle of a frame with the velocity `v` along its own axes, in the
+/// orientation of the frame in the middle of the cycle. `turn`: rotation in the cycle [radian].
+Vec3 velocity_on_helix(const Vec3& v, const Vec3& turn) {
+  const Vec3 axis = turn.stableNormalized(), along = axis.dot(v) * axis;
+  return along + boost::math::sinc_pi(turn.norm() / 2) * (v - along);
+}
+
 }  // namespace
 
 ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
@@ -285,8 +293,8 @@ ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law)
                      "the springs leave a deformation free, and the mean forces of the motion drive it; add "
                      "bonds or angular springs");
   ShapeMotion motion;
-  motion.velocity = rates.head<3>();
   for (std::size_t r = 0; r < free.axes.size(); ++r) motion.angular_velocity += rates[3 + r] * free.axes[r];
+  motion.velocity = velocity_on_helix(rates.head<3>(), swimmer.type.driving.period * motion.angular_velocity);
   motion.stroke = stroke_of_bonds(swimmer.type, expansion, order);
   motion.power = second.power;
   const BeadVectors mean_change = as_beads(order.displacement.rowwise().mean() + mean.displacement);

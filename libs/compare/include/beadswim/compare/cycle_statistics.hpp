@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "beadswim/compare/stroke_fit.hpp"
+#include "beadswim/core/background_flow.hpp"
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
@@ -33,13 +34,14 @@ struct SwimmerSample {
 
 /// Mean quantities and stroke of one period, in the units of the samples and in the frame of the box.
 struct CycleStatistics {
-  int index = 0;  ///< number of the cycle, 1 for the first
-  Vec3 velocity =
-      Vec3::Zero();           ///< displacement of the mean bead position, divided by the period [length/time]
-  Vec3 axis = Vec3::UnitX();  ///< unit vector of the time average of the swimmer's axis (axis_of())
+  int index = 0;                 ///< number of the cycle, 1 for the first
+  Vec3 velocity = Vec3::Zero();  ///< displacement D (swimmers/turning_frame.hpp)/period [length/time]
+  /// Unit vector of the mean of the swimmer's axis (axis_of()) in the turning frame, in the middle of the
+  /// period
+  Vec3 axis = Vec3::UnitX();
   /// Orientation at the end of the period as a unit quaternion w, x, y, z (swimmers/swimmer_shape.hpp), and
-  /// the rotation vector from the orientation at its start to this one, divided by the period [radian/time];
-  /// nullopt in older records
+  /// the rotation vector from the orientation at its start to this one, whole turns included, divided by the
+  /// period [radian/time]; nullopt in older records
   std::optional<std::array<double, 4>> orientation{};
   std::optional<Vec3> angular_velocity{};
   double speed_along_axis = 0;         ///< component of `velocity` along `axis` [length/time]
@@ -88,9 +90,10 @@ StrokeFit fit_cycle(std::span<const SwimmerSample> samples, double period,
 ///   samples  at least 4, in order of time; the last sample is one period after the first
 ///   type     type of the swimmer, with its own driving
 ///   initial_orientation  at the start of the run (swimmers/swimmer_shape.hpp)
+///   flow     background flow, in the units of the samples
 /// Time averages use the trapezoidal rule over all samples; fit_cycle() gives the stroke. Power and
 /// efficiency are left empty. Throws InputError if the samples do not satisfy the conditions.
 CycleStatistics cycle_statistics(int index, std::span<const SwimmerSample> samples, const SwimmerType& type,
-                                 const Eigen::Matrix3d& initial_orientation);
+                                 const Eigen::Matrix3d& initial_orientation, const BackgroundFlow& flow = {});
 
 }  // namespace beadswim

@@ -22,7 +22,9 @@
 //
 // A periodic motion repeats in a frame that moves with the swimmer: the frame has a constant velocity V and a
 // constant angular velocity Omega in its own axes. If drives act along directions of the box, the motion is
-// periodic only if Omega is zero.
+// periodic only if Omega is zero. The velocity of the swimmer is the displacement of this frame in a period
+// T, D/T (swimmers/turning_frame.hpp): the component of V along Omega, and sin(h)/h times that across, with h
+// = Omega T/2.
 //
 // Over a wall or in a flow with a gradient, a motion does not repeat, because place and orientation change.
 // The motion is then that of a swimmer whose shape repeats if it is moved back to its place and orientation
@@ -50,7 +52,9 @@ struct ShapedSwimmer {
 
 /// Mean motion and stroke over a period.
 struct ShapeMotion {
-  Vec3 velocity = Vec3::Zero();          ///< V of the mean bead position, in the box [length/time]
+  /// D/T, of the cycle in whose middle the swimmer has the orientation of the layout, in the box
+  /// [length/time]
+  Vec3 velocity = Vec3::Zero();
   Vec3 angular_velocity = Vec3::Zero();  ///< Omega, in the box [radian/time]
   Stroke stroke;                         ///< first harmonics of the lengths of the bonds
   std::vector<double> bond_means;        ///< mean lengths of the bonds [length]
