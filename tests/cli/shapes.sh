@@ -203,6 +203,34 @@ has_status 0
 run mpirun -n 2 beadswim-run towed.json -o towed-again.h5md "${towed[@]}" --cycles 2 --restart towed-part.h5md.ckpt.0
 check "other ranks and a restart give the same state" holds --slurpfile one towed.rec '.state_sha256 == $one[0].state_sha256' out
 
+# --- a couple rotates two beads by almost five sixths of a turn in a period: Omega = 2 F (mu_self - mu_across)/d, here 2 x 1.5 (1/(6 pi eta a) -
+# (1 + 2 a^2/(3 d^2))/(8 pi eta d))/20 with a = 4, d = 20, eta = 1/3
+jq -n '{schema: "beadswim/layout/2", units: "lattice", fluid: {density: 1, kinematic_viscosity: (1 / 3)}, domain: null,
+  types: {pair: {beads: [-10, 10 | {radius: 4, density: 1, at: [., 0, 0]}], bonds: [{beads: [1, 2], stiffness: 100}],
+    driving: {period: 1000, frame: "body", forces: [[1, -1.5], [2, 1.5] | {bead: .[0], direction: [0, 1, 0], constant: .[1]}]}}},
+  swimmers: [{id: 0, type: "pair", position: [0, 0, 0], axis: [1, 0, 0]}]}' >couple.json
+accepts beadswim-layout check couple.json
+run beadswim-run couple.json -o couple.h5md --model rpy --steps-per-cycle 400 --cycles 2 --progress none
+has_status 0
+check "whole turns are missing" holds '(.swimmers[0].cycles[-1].angular_velocity[2] / 0.00504919057 - 1 | fabs < 1e-5)
+  and (.warnings | all(.code != "fast-rotation"))' out
+# Ten times faster, eight turns in 16 samples look like a slow rotation.
+run beadswim-run <(jq '.types.pair.driving.forces[].constant *= 10' couple.json) -o couple.h5md --model rpy --steps-per-cycle 4000 --cycles 1 --frames-per-cycle 16
+has_status 0
+err_has 'warning: a swimmer rotates by up to 0.5 turns between two samples, .*; use at least 33 --frames-per-cycle$'
+check "the record does not warn" holds '.warnings | any(.code == "fast-rotation")' out
+
+# --- the velocity of a swimmer that turns is that of theory, whatever the phase at which its cycles begin
+for offset in 0 1; do
+  beadswim-layout shape triangle --phase=90deg | jq ".types[].driving.phase_offset = $offset" >circling.json
+  beadswim-run circling.json -o circling.h5md --model rpy --steps-per-cycle 400 --cycles 6 --progress none >circling.run 2>err
+  run beadswim-theory circling.json --method rpy-ode
+  cp out circling.theory
+  check "phase offset $offset: another velocity than theory" holds --slurpfile run circling.run 'def size: map(. * .) | add | sqrt;
+    $run[0].swimmers[0].cycles[-1] as $cycle | .predictions[0] | ($cycle.speed_along_axis / .velocity - 1 | fabs < 1e-5)
+      and (($cycle.velocity | size) / (.velocity_vector | size) - 1 | fabs < 1e-5)' circling.theory
+done
+
 # --- what cannot treat the shape says what can
 refuses 'triangle.json: swimmers 0 and 1 differ, but a prediction is for one swimmer' beadswim-theory triangle.json
 jq '.types.triangle.beads += [{radius: 2, density: 1, at: [0, 20, 0]}] | .types.triangle.bonds += [{beads: [3, 4], stiffness: 1}]' triangle.json >four.json

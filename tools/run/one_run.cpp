@@ -137,7 +137,7 @@ RunOutcome run_layout(const LayoutDocument& document, Request& request, double s
                        .progress = progress};
   catch_stop_signals();
   const RunOutcome outcome = run_and_record(parts, request, document, take, failures);
-  const std::vector<RunWarning> warnings = model->warnings();
+  const std::vector<RunWarning> warnings = warnings_after_run(parts);
   if (communicator.is_root() && request.name.empty()) {
     warn(warnings);
     if (outcome.status == RunStatus::stopped_time || outcome.status == RunStatus::stopped_signal)

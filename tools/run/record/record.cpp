@@ -79,6 +79,12 @@ void add_errors(RunRecord& record, const ModelPlan& plan, const std::vector<RunW
 
 }  // namespace
 
+std::vector<RunWarning> warnings_after_run(const RunParts& parts) {
+  std::vector<RunWarning> warnings = parts.model.warnings();
+  std::ranges::move(parts.recorder.warnings(), std::back_inserter(warnings));
+  return warnings;
+}
+
 RunRecord make_record(const RunParts& parts, const LayoutDocument& document, const RunOutcome& outcome) {
   RunRecord record;
   record.status = outcome.status;
@@ -104,7 +110,7 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
                         .peak_memory_bytes = peak_memory_bytes(parts.communicator),
                         .communication = std::nullopt};
   parts.model.describe(record);
-  add_errors(record, parts.plan, parts.model.warnings());
+  add_errors(record, parts.plan, warnings_after_run(parts));
   if (!document.study.is_null()) record.study = document.study;
   record.provenance = document.provenance;
   record.provenance->push_back(parts.plan.options.provenance);

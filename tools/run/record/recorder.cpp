@@ -1,13 +1,18 @@
 #include "record/recorder.hpp"
 
+#include <fmt/core.h>
+
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tuple>
 
 #include "beadswim/compare/driving_power.hpp"
 #include "beadswim/compare/swimming.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 
 namespace beadswim {
 namespace {
@@ -53,6 +58,7 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
       frames_per_cycle_(
           static_cast<int>(std::min<long>(plan.options.settings.frames_per_cycle, steps_per_cycle_))),
       box_(layout.domain.box),
+      flow_(layout.flow),
       dynamic_viscosity_(layout.fluid.dynamic_viscosity()),
       towing_method_(towing_method(plan.options.settings.model)),
       pairs_(plan.options.settings.model == RunModel::oseen ? oseen_pairs : rotne_prager_tensor),
@@ -152,7 +158,7 @@ void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_samp
 }
 
 CycleStatistics Recorder::statistics_of(const SwimmerLog& log, int index) const {
-  CycleStatistics cycle = cycle_statistics(index, log.samples, log.type, log.initial_orientation);
+  CycleStatistics cycle = cycle_statistics(index, log.samples, log.type, log.initial_orientation, flow_);
   cycle.power = driving_power(log.type, log.initial_orientation, log.samples);
   if (!cycle.power || logs_.size() > max_swimmers_listed) return cycle;
   if (const auto drag = drag_in_cycle(log, cycle))
@@ -190,6 +196,7 @@ void Recorder::record(const Model& model, const ModelTotals& totals) {
     }
   }
   trajectory_.append(frame);
+  record_turns(swimmers);
   gather_samples();
   store_samples(now);
   last_frame_ = now;
@@ -198,6 +205,39 @@ void Recorder::record(const Model& model, const ModelTotals& totals) {
     if (swimmers.size() > 1) append_swarm(swimmers, frame.momentum);
   }
   ++next_frame_;
+}
+
+// The rotation between two samples is estimated from the velocities at a frame: from the positions alone, it
+// would be known up to whole turns only.
+void Recorder::record_turns(const std::vector<SwimmerPose>& swimmers) {
+  for (std::size_t s = 0; s < swimmers.size(); ++s) {
+    const SwimmerLog& log = logs_[s];
+    const double interval = log.type.driving.period / log.samples_per_cycle;
+    const double moment = 0.1 * time_step_;  // so short that velocities change little
+    std::vector<Vec3> now, later;
+    for (const BeadMotion& bead : swimmers[s].motion) {
+      now.push_back(bead.position * units_.length);
+      later.push_back(now.back() + moment * units_.velocity() * bead.velocity);
+    }
+    const Eigen::Matrix3d start =
+        fitted_orientation(log.type, columns_of_beads(now), log.initial_orientation);
+    const Eigen::Matrix3d end = fitted_orientation(log.type, columns_of_beads(later), start);
+    const double angle = Eigen::AngleAxisd(end * start.transpose()).angle();
+    largest_turn_ = std::max(largest_turn_, angle * interval / moment);
+  }
+}
+
+std::vector<RunWarning> Recorder::warnings() const {
+  constexpr double allowed = 0.25;
+  std::vector<RunWarning> warnings;
+  const double turns = largest_turn_ / (2 * std::numbers::pi);
+  if (turns > allowed)
+    warnings.push_back(
+        {"fast-rotation",
+         fmt::format("a swimmer rotates by up to {:.2g} turns between two samples, so that angular velocity, "
+                     "velocity and axis in the record can be wrong; use at least {:.0f} {}",
+                     turns, std::ceil(turns / allowed * frames_per_cycle_), Setting::frames_per_cycle)});
+  return warnings;
 }
 
 void Recorder::append_cycles(long step, double time) {
@@ -234,7 +274,7 @@ void Recorder::append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3
 
 template <class Message>
 void Recorder::transfer(Message& message) {
-  message(next_frame_, last_frame_.time, last_frame_.mean_flow, gathered_, swarm_);
+  message(next_frame_, last_frame_.time, last_frame_.mean_flow, largest_turn_, gathered_, swarm_);
   for (SwimmerLog& log : logs_) message(log.samples, log.record.cycles);
 }
 

@@ -46,6 +46,8 @@ class Recorder {
   // contains only the last cycle of each swimmer.
   std::vector<SwimmerRecord> swimmers() const;
   const std::vector<SwarmCycle>& swarm() const { return swarm_; }
+  /// Returns a warning if samples are too far apart for the rotation of a swimmer.
+  std::vector<RunWarning> warnings() const;
 
   /// Returns the state of the recorder for a checkpoint, on rank 0; returns an empty list on other ranks.
   /// Collective.
@@ -94,6 +96,8 @@ class Recorder {
   /// Returns the drag coefficient of the swimmer with its mean shape in this cycle, towed along its axis in
   /// open space [mass/time]; nothing if beads nearly touch.
   std::optional<double> drag_in_cycle(const SwimmerLog& log, const CycleStatistics& cycle) const;
+  /// Updates largest_turn_ with the present motion.
+  void record_turns(const std::vector<SwimmerPose>& swimmers);
   void append_cycles(long step, double time);
   void append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3& momentum);
   template <class Message>
@@ -107,6 +111,7 @@ class Recorder {
   long steps_per_cycle_;
   int frames_per_cycle_;
   std::optional<Box> box_;
+  BackgroundFlow flow_;
   double dynamic_viscosity_;     ///< [mass/(length time)]
   const Method& towing_method_;  ///< method of theory for the drag of a towed three-bead swimmer
   PairTensorLaw pairs_;          ///< mobility for the drag of another towed swimmer
@@ -119,6 +124,7 @@ class Recorder {
   std::vector<PositionSample> gathered_;  ///< samples of all ranks since the last frame
   FlowSample last_frame_;
   std::vector<SwimmerLog> logs_;   ///< one per swimmer, in the order of ids
+  double largest_turn_ = 0;        ///< largest rotation of a swimmer between two samples [radian]
   CycleStatistics widest_cycle_;   ///< with as many arms as any swimmer has
   std::vector<SwarmCycle> swarm_;  ///< one per base cycle; empty for a single swimmer
 };
