@@ -231,6 +231,54 @@ for offset in 0 1; do
       and (($cycle.velocity | size) / (.velocity_vector | size) - 1 | fabs < 1e-5)' circling.theory
 done
 
+# --- drives that were changed after the layout was made: every model begins with their lengths, where the swimmer is
+cat >begins.py <<'PYTHON'
+import math, subprocess, sys
+path, offset, mean = sys.argv[1], float(sys.argv[2]), [float(x) for x in sys.argv[3].split(",")]
+dump = subprocess.run(["h5dump", "-y", "-m", "%.17g", "-d", "/particles/beads/position/value", "-s", "0,0,0", "-c", "1,3,3", path],
+                      capture_output=True, text=True, check=True).stdout
+values = [float(x) for x in dump[dump.index("DATA {") + 6:dump.index("}", dump.index("DATA {"))].replace(",", " ").split()]
+beads = [values[3 * b:3 * b + 3] for b in range(3)]
+for k in range(3):
+    length = math.dist(beads[k], beads[(k + 1) % 3])
+    assert abs(length - 20 - 4 * math.sin(offset - 2 * math.pi * k / 3)) < 1e-9, (k, length)
+assert max(abs(sum(x) / 3 - m) for x, m in zip(zip(*beads), mean)) < 1e-9, beads
+PYTHON
+beadswim-layout shape triangle --box 60,60,48 --boundary periodic --period 1000 --position 30,30,24 >made.json
+jq '.types[].driving.phase_offset = 0.7' made.json >late.json
+run beadswim-layout check --json late.json
+check "it says how far the beads move" holds '.types.triangle.start_displacement | . > 1 and . < 5' out
+run beadswim-layout check --json made.json
+check "no bead of the gallery moves" holds '.types.triangle.start_displacement == 0' out
+for model in oseen rpy rpy+near multipole unsteady lbm; do
+  flags=(--steps-per-cycle 40)
+  [ $model != lbm ] || flags=(--cells-per-radius 2 --relaxation-time 1.5)
+  run beadswim-run late.json -o late.h5md --model $model "${flags[@]}" --cycles 1 --checkpoint-every 0.5 --progress none --no-provenance
+  has_status 0
+  check "$model does not begin with the driven lengths" python3 begins.py late.h5md 0.7 30,30,24
+  cp out late.rec
+  run beadswim-run --restart late.h5md.ckpt.0 -o late-again.h5md --cycles 1 --progress none --no-provenance
+  check "$model: a restart gives another state" holds --slurpfile one late.rec '.state_sha256 == $one[0].state_sha256' out
+done
+beadswim-layout defect phase --random --seed 1 made.json >phases.json
+run beadswim-run phases.json -o phases.h5md --model rpy --cycles 1 --progress none
+has_status 0
+# An amplitude that is varied gives the motion of a layout that is made with it.
+for drive in 'prescribed-three-bead bonds/0/rest_length 6 6,4' 'purcell-chain angles/0/rest 0.3 0.3'; do
+  read -r kind drive value made <<<"$drive"
+  beadswim-layout shape "$kind" --amplitude "$made" >made.json
+  beadswim-layout shape "$kind" | beadswim-layout vary --over "/types/$kind/driving/$drive/0/amplitude=$value" |
+    if [ "$kind" = purcell-chain ]; then beadswim-layout vary --over /types/purcell-chain/driving/angles/1/rest/0/amplitude=$value; else cat; fi >varied.json
+  for layout in made varied; do
+    beadswim-run $layout.json -o $layout.h5md --model rpy --cycles 1 --steps-per-cycle 100 --progress none >$layout.rec 2>/dev/null
+    beadswim-theory $layout.json --method rpy-ode >$layout.theory
+  done
+  check "$kind: the first cycle of a varied amplitude is another" holds --slurpfile made made.rec \
+    '[.swimmers[0], $made[0].swimmers[0]] | map(.cycles[0].velocity | map(. * .) | add | sqrt) | .[0] / .[1] - 1 | fabs < 1e-6' varied.rec
+  check "$kind: theory of a varied amplitude is another" holds --slurpfile made made.theory \
+    '[.predictions[0], $made[0].predictions[0]] | map(.velocity_vector | map(. * .) | add | sqrt) | .[0] / .[1] - 1 | fabs < 1e-6' varied.theory
+done
+
 # --- what cannot treat the shape says what can
 refuses 'triangle.json: swimmers 0 and 1 differ, but a prediction is for one swimmer' beadswim-theory triangle.json
 jq '.types.triangle.beads += [{radius: 2, density: 1, at: [0, 20, 0]}] | .types.triangle.bonds += [{beads: [3, 4], stiffness: 1}]' triangle.json >four.json

@@ -26,14 +26,6 @@ class FixedSphere {
     cells.find(beads);
   }
 
-  /// Sets the body force on the fluid. With psm, the sphere gets the velocity -force/2: the body force acts
-  /// at the end of a time step, so that this sphere is at rest relative to the fluid in the middle of the
-  /// step.
-  void set_body_force(const Vec3& force) {
-    fluid.body_force = force;
-    if (!has_links(links.scheme())) beads[0].motion.velocity = -0.5 * force;
-  }
-
   /// Performs one time step and returns the mean over the volume of the fluid velocity outside the sphere in
   /// the middle of this step.
   Vec3 superficial_velocity() {
@@ -47,7 +39,9 @@ class FixedSphere {
     beads[0].impulse = {};
     fluid.halo.fill(fluid.populations);
     BeadBoundary boundary{coverage, links, beads, fluid.rates, sums};
-    SaturatedBoundary saturated{cells, beads, saturated_sums, lattice_viscosity(1 / fluid.rates.symmetric)};
+    saturated_forces.clear();
+    SaturatedBoundary saturated{cells,           beads, saturated_sums, saturated_forces, fluid.body_force,
+                                lattice_viscosity(1 / fluid.rates.symmetric)};
     for (int z = 0; z < fluid.populations.size()[2]; ++z) {
       for (int y = 0; y < fluid.populations.size()[1]; ++y) {
         if (has_links(links.scheme())) {
@@ -71,6 +65,7 @@ class FixedSphere {
   SaturatedCells cells;
   std::vector<LinkSums> sums{1};
   std::vector<SaturatedSums> saturated_sums{1};
+  std::vector<SaturatedForce> saturated_forces;
   std::vector<BeadOnLattice> beads;
 
  private:

@@ -22,7 +22,7 @@ double array_drag(double volume_fraction, double cells_per_diameter, const Vec3&
   const double radius = 0.5 * per_edge * edge;
   FixedSphere sphere(edge, radius, Vec3::Constant(edge / 2.0) + offset, tau, scheme);
   constexpr double g = 1e-6;
-  sphere.set_body_force(Vec3(g, 0, 0));
+  sphere.fluid.body_force = Vec3(g, 0, 0);
 
   double superficial = 0, before = 1;
   while (std::abs(superficial - before) > 1e-7 * std::abs(superficial)) {

@@ -45,6 +45,8 @@ std::string table_of(const std::string& name, const TypeNumbers& numbers) {
   if (!numbers.arm_amplitude.empty())
     text += row("predicted arm amplitudes d1, d2 (first order, Rotne-Prager)", joined(numbers.arm_amplitude));
   if (!numbers.arm_gap.empty()) text += row("gaps between an arm's beads at rest", joined(numbers.arm_gap));
+  if (numbers.start_displacement)
+    text += row("displacement of beads at the start from \"at\"", *numbers.start_displacement);
   if (numbers.box_over_length) text += row("box/swimmer length, x, y, z", joined(*numbers.box_over_length));
   if (numbers.strain_per_period)
     text += row("strain of the background flow per period, G T", *numbers.strain_per_period);

@@ -5,6 +5,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
+#include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
@@ -51,10 +52,11 @@ SwarmScene scene_of(Layout layout, const std::string& source) {
                    .layout = std::move(layout),
                    .in_layout = {},
                    .swimmers = {}};
-  for (const Swimmer& swimmer : scene.layout.swimmers) {
-    const SwimmerType& type = scene.layout.types.at(swimmer.type);
+  const Swarm swarm = listed_swimmers(scene.layout);
+  for (const PlacedSwimmer& swimmer : swarm.swimmers) {
+    const SwimmerType& type = swarm.type_of(swimmer);
     scene.in_layout.push_back(scene.in_layout.size());
-    const std::vector<Vec3> places = rest_positions(type, swimmer.position, swimmer.orientation());
+    const std::vector<Vec3> places = rest_positions(type, swimmer.position, swimmer.orientation);
     PicturedSwimmer pictured{.id = swimmer.id, .beads = {}, .bonds = bonds_of(type)};
     for (std::size_t b = 0; b < places.size(); ++b)
       pictured.beads.push_back({.centre = places[b], .radius = type.beads[b].radius});

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "beadswim/core/cell_list.hpp"
+#include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
@@ -43,9 +44,10 @@ double smallest_wall_gap(const std::vector<PlacedBead>& beads, const Domain& dom
 
 std::vector<PlacedBead> placed_beads(const Layout& layout) {
   std::vector<PlacedBead> beads;
-  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
-    const SwimmerType& type = layout.types.at(layout.swimmers[s].type);
-    const auto centres = rest_positions(type, layout.swimmers[s].position, layout.swimmers[s].orientation());
+  const Swarm swarm = listed_swimmers(layout);
+  for (std::size_t s = 0; s < swarm.swimmers.size(); ++s) {
+    const SwimmerType& type = swarm.type_of(swarm.swimmers[s]);
+    const auto centres = rest_positions(type, swarm.swimmers[s].position, swarm.swimmers[s].orientation);
     for (int i = 0; i < std::ssize(centres); ++i)
       beads.push_back({.centre = centres[i], .radius = type.beads[i].radius, .swimmer = s, .bead = i});
   }

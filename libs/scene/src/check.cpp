@@ -433,12 +433,15 @@ void check_overlaps(const Layout& layout, const std::vector<PlacedBead>& beads, 
     const bool through_boundary =
         (first.centre - second.centre).norm() > pair.distance * (1 + 1e-9) || &first == &second;
     const std::string other = &first == &second ? "its own periodic image" : bead_in_words(second, layout);
+    const bool is_by_drives = first.swimmer == second.swimmer && !through_boundary;
     faults.push_back(
         {swimmer_place(first.swimmer, "position"),
          fmt::format("{} overlaps {}{}: their centres are {:.6g} apart, but must be more than {:.6g} apart",
                      bead_in_words(first, layout), other,
-                     through_boundary ? " through the periodic boundary" : "", pair.distance,
-                     first.radius + second.radius)});
+                     through_boundary ? " through the periodic boundary"
+                     : is_by_drives   ? " on the shape that its drives prescribe at time 0"
+                                      : "",
+                     pair.distance, first.radius + second.radius)});
   }
 }
 

@@ -13,7 +13,7 @@
 #include "beadswim/core/keyed_random.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
-#include "beadswim/swimmers/swimmer_shape.hpp"
+#include "beadswim/swimmers/relaxed_shape.hpp"
 
 namespace beadswim {
 namespace {
@@ -177,7 +177,7 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
                                                  "up to {}; give the swimmers smaller ids",
                                                  std::numeric_limits<int>::max(), added.id));
   }
-  const SwimmerType& type = layout.types.at(added.type);
+  const SwimmerType type = at_start(layout.types.at(added.type));
   constexpr int max_trials = 100000;
   for (std::size_t n = 0; n < count; ++n) {
     ++added.id;

@@ -4,20 +4,25 @@
 #include <map>
 #include <string>
 
-#include "beadswim/swimmers/swimmer_shape.hpp"
+#include "beadswim/swimmers/relaxed_shape.hpp"
 
 namespace beadswim {
 
-Swarm placed_swimmers(const Layout& layout) {
+Swarm listed_swimmers(const Layout& layout) {
   Swarm swarm;
   std::map<std::string, int> shared_types;  // types of the swimmers without their own driving
   for (const Swimmer& swimmer : layout.swimmers) {
     int type = static_cast<int>(swarm.types.size());
     if (!swimmer.driving) type = shared_types.try_emplace(swimmer.type, type).first->second;
-    if (type == std::ssize(swarm.types)) swarm.types.push_back(layout.resolved_type(swimmer));
+    if (type == std::ssize(swarm.types)) swarm.types.push_back(at_start(layout.resolved_type(swimmer)));
     swarm.swimmers.push_back(
         {.id = swimmer.id, .type = type, .position = swimmer.position, .orientation = swimmer.orientation()});
   }
+  return swarm;
+}
+
+Swarm placed_swimmers(const Layout& layout) {
+  Swarm swarm = listed_swimmers(layout);
   std::ranges::sort(swarm.swimmers, {}, &PlacedSwimmer::id);
   return swarm;
 }

@@ -66,21 +66,19 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
       schedules_(plan.periods, frames_per_cycle_),
       widest_cycle_(widest_cycle(layout)) {
   if (!communicator.is_root()) return;
-  std::vector<const Swimmer*> in_order;
-  for (const Swimmer& swimmer : layout.swimmers) in_order.push_back(&swimmer);
-  std::ranges::sort(in_order, {}, &Swimmer::id);
-  for (std::size_t s = 0; s < in_order.size(); ++s) {
-    SwimmerType type = layout.resolved_type(*in_order[s]);
+  const Swarm swarm = placed_swimmers(layout);
+  for (std::size_t s = 0; s < swarm.swimmers.size(); ++s) {
+    SwimmerType type = swarm.type_of(swarm.swimmers[s]);
     if (!plan.softening.empty()) {
       const std::vector<double>& softening = plan.softening[plan.swimmers[s].type];
       for (std::size_t k = 0; k < softening.size(); ++k) type.angles[k].stiffness *= softening[k];
     }
     const double period = type.driving.period;
-    logs_.push_back({.record = {.id = in_order[s]->id,
+    logs_.push_back({.record = {.id = swarm.swimmers[s].id,
                                 .cycles = {},
                                 .period = period == plan.base_period ? std::nullopt : std::optional(period)},
                      .type = type,
-                     .initial_orientation = in_order[s]->orientation(),
+                     .initial_orientation = swarm.swimmers[s].orientation,
                      .samples_per_cycle = schedules_.of(plan.swimmers[s].type).per_cycle(),
                      .samples = {}});
   }

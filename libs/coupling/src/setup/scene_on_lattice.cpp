@@ -50,21 +50,17 @@ void require_box(const Layout& layout, const std::string& source) {
 }
 
 void require_off_walls(const Layout& layout, double cell, const std::string& source) {
-  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
-    const Swimmer& swimmer = layout.swimmers[s];
-    const SwimmerType& type = layout.types.at(swimmer.type);
-    const std::vector<Vec3> beads = rest_positions(type, swimmer.position, swimmer.orientation());
-    for (std::size_t b = 0; b < beads.size(); ++b) {
-      for (int a = 0; a < 3; ++a) {
-        if (layout.domain.box->is_periodic(a)) continue;
-        const double to_wall = std::min(beads[b][a], layout.domain.box->lengths[a] - beads[b][a]);
-        const double gap = to_wall - type.beads[b].radius;
-        if (gap >= min_wall_gap * cell) continue;
-        throw InputError(fmt::format("{}:/swimmers/{}/position", source, s),
-                         fmt::format("bead {} has a gap of {:.3g} to a wall perpendicular to {}; the gap "
-                                     "must be at least half a cell, {:.3g}; move the swimmer or use more {}",
-                                     b + 1, gap, "xyz"[a], min_wall_gap * cell, Setting::cells_per_radius));
-      }
+  for (const PlacedBead& bead : placed_beads(layout)) {
+    for (int a = 0; a < 3; ++a) {
+      if (layout.domain.box->is_periodic(a)) continue;
+      const double to_wall = std::min(bead.centre[a], layout.domain.box->lengths[a] - bead.centre[a]);
+      const double gap = to_wall - bead.radius;
+      if (gap >= min_wall_gap * cell) continue;
+      throw InputError(
+          fmt::format("{}:/swimmers/{}/position", source, bead.swimmer),
+          fmt::format("bead {} has a gap of {:.3g} to a wall perpendicular to {}; the gap "
+                      "must be at least half a cell, {:.3g}; move the swimmer or use more {}",
+                      bead.bead + 1, gap, "xyz"[a], min_wall_gap * cell, Setting::cells_per_radius));
     }
   }
 }

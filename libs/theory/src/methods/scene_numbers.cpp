@@ -7,6 +7,8 @@
 
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
+#include "beadswim/scene/placed_swimmers.hpp"
+#include "beadswim/swimmers/relaxed_shape.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/linear_response.hpp"
@@ -81,6 +83,19 @@ ResolutionNumbers resolution_numbers(const Layout& layout) {
   return numbers;
 }
 
+/// Adds how far drives at time 0 move beads from their places at rest.
+void add_start_displacements(const Layout& layout, std::map<std::string, TypeNumbers>& numbers) {
+  const Swarm swarm = listed_swimmers(layout);
+  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
+    const SwimmerType& at_start = swarm.type_of(swarm.swimmers[s]);
+    if (!has_driven_shape(at_start.driving)) continue;
+    const std::string& name = layout.swimmers[s].type;
+    double& largest = numbers[name].start_displacement.emplace(numbers[name].start_displacement.value_or(0));
+    for (std::size_t b = 0; b < at_start.beads.size(); ++b)
+      largest = std::max(largest, (at_start.beads[b].at - layout.types.at(name).beads[b].at).norm());
+  }
+}
+
 }  // namespace
 
 std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer) {
@@ -93,6 +108,7 @@ std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer) {
 SceneNumbers scene_numbers(const Layout& layout) {
   SceneNumbers numbers;
   for (const auto& [name, type] : layout.types) numbers.types[name] = type_numbers(type, layout);
+  add_start_displacements(layout, numbers.types);
   const std::vector<PlacedBead> beads = placed_beads(layout);
   numbers.smallest_gap = smallest_gap(beads, layout.domain);
   if (const auto& half_space = layout.domain.half_space)

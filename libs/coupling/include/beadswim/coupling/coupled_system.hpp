@@ -30,7 +30,7 @@ struct SystemProgress {
   Vec3 body_force = Vec3::Zero();  ///< momentum that each cell gains in the next step
   /// Impulse of net driving forces that no body force has balanced yet.
   Vec3 unbalanced = Vec3::Zero();
-  std::vector<BodyImpulse> body_impulses;  ///< Levels::body_impulses()
+  std::vector<BodyImpulse> body_impulses{};  ///< Levels::body_impulses()
 
   /// Visits all fields but the number of steps.
   static void visit_fields(auto&& visit, auto& progress) {

@@ -7,12 +7,12 @@
 #include "beadswim/core/cell_list.hpp"
 #include "beadswim/scene/layout.hpp"
 
-// Distances between the beads of a scene at rest. Periodic images are included. Cell lists make the cost
+// Distances between the beads of a scene at the start. Periodic images are included. Cell lists make the cost
 // proportional to the number of beads.
 
 namespace beadswim {
 
-/// One bead of a scene at rest.
+/// One bead of a scene at the start.
 struct PlacedBead {
   Vec3 centre;              ///< centre of the bead; may lie outside the box [length]
   double radius = 0;        ///< [length]

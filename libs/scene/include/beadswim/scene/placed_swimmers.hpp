@@ -22,14 +22,15 @@ struct PlacedSwimmer {
 
 /// Swimmers and the types that they share.
 struct Swarm {
-  std::vector<SwimmerType> types;
-  std::vector<PlacedSwimmer> swimmers;  ///< sorted by id
+  std::vector<SwimmerType> types;  ///< with their beads at the start (at_start())
+  std::vector<PlacedSwimmer> swimmers;
 
   const SwimmerType& type_of(const PlacedSwimmer& swimmer) const { return types[swimmer.type]; }
 };
 
-/// Returns the layout's swimmers, sorted by id. A swimmer with its own driving has its own type in the
-/// result.
+/// Return the layout's swimmers in its order, or sorted by id. A swimmer with its own driving has its own type
+/// in the result.
+Swarm listed_swimmers(const Layout& layout);
 Swarm placed_swimmers(const Layout& layout);
 
 /// Beads [first, last) of one swimmer in a list of all beads.
@@ -40,7 +41,7 @@ struct BeadRange {
 /// Returns the beads of each swimmer in lists of all beads in order of the swimmers.
 std::vector<BeadRange> bead_ranges(const Swarm& swarm);
 
-/// Returns the centres of all beads at rest [length], in order of the swimmers.
+/// Returns the centres of all beads at the start [length], in order of the swimmers.
 std::vector<Vec3> rest_positions(const Swarm& swarm);
 
 /// Returns the radii of all beads [length], in the order of rest_positions.

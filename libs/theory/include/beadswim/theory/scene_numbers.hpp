@@ -25,6 +25,9 @@ struct TypeNumbers {
   std::vector<double> arm_amplitude;         ///< d_i to first order with Rotne-Prager mobility [length]
   std::vector<double> arm_gap;               ///< distance of the surfaces of the arm's beads at rest [length]
   std::optional<std::array<double, 3>> box_over_length;  ///< box edges / swimmer length
+  /// Largest distance of a bead at the start from its place at rest, of all swimmers of the type [length];
+  /// nullopt if none has a driven shape.
+  std::optional<double> start_displacement;
   std::optional<double> strain_per_period;               ///< shear rate G of the background flow x period
   std::optional<double> shear_reynolds;                  ///< G lambda^2 / nu with the largest radius lambda
 
@@ -38,6 +41,7 @@ struct TypeNumbers {
     visit("arm_amplitudes", numbers.arm_amplitude, omitted_if_none);
     visit("arm_gaps", numbers.arm_gap);
     visit("box_over_swimmer_length", numbers.box_over_length, omitted_if_none);
+    visit("start_displacement", numbers.start_displacement, omitted_if_none);
     visit("strain_per_period", numbers.strain_per_period, omitted_if_none);
     visit("shear_reynolds", numbers.shear_reynolds, omitted_if_none);
   }
