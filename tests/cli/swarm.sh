@@ -24,7 +24,7 @@ refuses 'whole number' beadswim-layout swarm --preset paper-uniform --blocks a,1
 refuses 'at most' beadswim-layout swarm --preset paper-uniform --blocks 1000,1000,1000
 
 # --- defects, seeded, in pipes
-beadswim-layout swarm --preset paper-uniform --blocks 2,2,2 >swarm.json
+beadswim-layout swarm --preset paper-uniform --blocks 2,2,2 --frame body >swarm.json
 for defect in 'vacancy --count 3' 'interstitial --fraction 0.05' 'jitter --sigma 0.5' 'rotation --sigma 0.05' \
   'rotation --random --repair' 'domains --count 3 --repair' 'phase --random' 'phase --sigma 0.3 --fraction 0.5' \
   'amplitude --sigma 0.1' 'frequency --sigma 0.01' 'spacing --axis y --sigma 3 --whole 1' 'mixture --with one.json --count 5'; do
@@ -54,6 +54,41 @@ refuses 'overlap.*--repair moves swimmers apart' beadswim-layout defect jitter -
 refuses 'command is needed: .*vacancy' beadswim-layout defect
 beadswim-layout swimmer --preset paper-single --unbounded >unbounded.json
 refuses 'unbounded' beadswim-layout defect interstitial --count 1 unbounded.json
+
+# --- forces along x do not turn with swimmers: programs count the swimmers and name the remedy
+beadswim-layout swarm --preset paper-uniform --block-swimmers 1,4,4 >parallel.json
+for defect in 'rotation --random --count 5 --repair' 'rotation --sigma 0.05 --count 5' 'domains --count 2 --repair' 'interstitial --count 2'; do
+  run beadswim-layout defect $defect parallel.json
+  has_status 0
+  cp out turned.json
+  turned=$(jq '[.swimmers[] | select(.axis != [1, 0, 0])] | length' turned.json)
+  all=$(jq '.swimmers | length' turned.json)
+  for command in "beadswim-layout defect $defect parallel.json" 'beadswim-layout check turned.json' \
+    'beadswim-layout defect jitter turned.json --sigma 0' 'beadswim-run turned.json --model rpy --cycles 0.1 -o turned.h5md --progress none'; do
+    run $command
+    has_status 0
+    if [ "$turned" = 0 ]; then
+      check 'a warning of no swimmer' test -z "$(grep 'driving forces of' err)"
+    else
+      err_has "^beadswim-[a-z]+: warning: the driving forces of $turned of $all swimmers keep their directions .*; use --frame body"
+    fi
+  done
+  check 'the record warns' holds --argjson any $((turned > 0)) '[.warnings[].code] | (index("forces-fixed-in-box") != null) == ($any == 1)' out
+done
+# One is warned of just if the swimmer is turned so that it swims at another speed.
+speed() { jq '.swimmers[0].cycles[-1].speed_along_axis' out; }
+for swimmer in 'swimmer --preset paper-single --unbounded' 'shape flagellum --unbounded'; do
+  run beadswim-run <(beadswim-layout $swimmer --frame lab) --model rpy --cycles 4 -o speed.h5md --progress none
+  reference=$(speed)
+  for way in '--frame lab --axis=-1,0,0' '--frame lab --axis 1,1,0' '--frame lab --axis 0,1,0' \
+    '--frame lab --axis 1,0.01,0' '--axis 0,0,1 --frame body' '--axis 1,2,3 --frame initial-axis'; do
+    beadswim-layout $swimmer $way >turned.json
+    run beadswim-run turned.json --model rpy --cycles 4 -o speed.h5md --progress none
+    has_status 0
+    check "$swimmer $way: the warning does not agree with the speed, $(speed) instead of $reference" \
+      test "$(grep -c 'driving forces of 1 of 1 swimmers keep' err)" = "$(jq -n "($(speed) / $reference - 1 | fabs) > 1e-6 | if . then 1 else 0 end")"
+  done
+done
 
 # --- reduce: the uniform swarm is one swimmer, the defect swarm nine
 run beadswim-layout reduce swarm.json

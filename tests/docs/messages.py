@@ -20,7 +20,7 @@ LOUD = re.compile(r"\bthrow\b|\bInputError\(|\brefuse\w*\(|\bfail\w*\(|\btell\(|
 QUIET = re.compile(r"add_option|add_flag|->check|assert|validity|verdict|settings|notes")
 # Files whose functions return texts that other files throw or print.
 SPEAKING = {
-    "absent_features.cpp", "box_methods.cpp", "box_mobility.cpp", "closed_form_methods.cpp", "fault_message.cpp", "h5md.cpp", "inertia_methods.cpp",
+    "absent_features.cpp", "box_methods.cpp", "box_mobility.cpp", "closed_form_methods.cpp", "fault_message.cpp", "force_directions.cpp", "h5md.cpp", "inertia_methods.cpp",
     "json_parse.cpp", "flag_values.cpp", "nearest_name.cpp", "overdamped_model.cpp", "plan_flags.cpp", "periodic_motion.cpp", "perturbation_methods.cpp", "planned_lattices.cpp",
     "planned_scene.cpp", "program.cpp", "question.cpp", "run_loop.cpp", "run_plan.cpp", "schema_name.cpp", "surroundings.cpp",
     "trajectory_reader.cpp", "value_fault.cpp", "warnings.cpp", "options.cpp", "flags.cpp",

@@ -1,6 +1,10 @@
 #include "layout_filter.hpp"
 
+#include <fmt/core.h>
+
+#include "beadswim/core/error.hpp"
 #include "beadswim/core/temporary_file.hpp"
+#include "beadswim/scene/force_directions.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {
@@ -25,6 +29,12 @@ void filter_layouts(const std::vector<std::string>& files, const CLI::App& progr
   std::int64_t written = 0;
   for (std::string part; !(part = read_bytes(text, written, 1 << 16)).empty(); written += std::ssize(part))
     write_text("-", part);
+}
+
+void warn_of_fixed_forces(const Layout& layout, std::set<std::string>& told) {
+  const std::string warning = warning_of_fixed_forces(layout);
+  if (!warning.empty() && told.insert(warning).second)
+    print_to_stderr(fmt::format("beadswim-layout: warning: {}\n", warning));
 }
 
 }  // namespace beadswim

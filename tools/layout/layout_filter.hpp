@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,9 @@ CLI::Option* add_layout_files(CLI::App& command, std::vector<std::string>& files
 void filter_layouts(const std::vector<std::string>& files, const CLI::App& program, FilterOutput output,
                     const std::function<void(const StreamMember& member, LayoutDocument layout,
                                              const std::function<void(LayoutDocument)>& emit)>& change);
+
+/// Prints the warning of forces that do not turn with their swimmers, if the layout has such swimmers.
+/// `told`: warnings that were printed before, each of which is printed once.
+void warn_of_fixed_forces(const Layout& layout, std::set<std::string>& told);
 
 }  // namespace beadswim

@@ -8,6 +8,7 @@
 #include "beadswim/core/version.hpp"
 #include "beadswim/plan/percent.hpp"
 #include "beadswim/plan/reason_against.hpp"
+#include "beadswim/scene/force_directions.hpp"
 #include "models/lattice_model.hpp"
 #include "models/overdamped_model.hpp"
 
@@ -49,6 +50,8 @@ std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Reques
         {"few-steps",
          fmt::format("a cycle has only {} time steps, so {} frames per cycle are recorded instead of {}",
                      plan->steps_per_cycle, plan->steps_per_cycle, frames)});
+  if (const std::string warning = warning_of_fixed_forces(document.layout); !warning.empty())
+    plan->warnings.push_back({"forces-fixed-in-box", warning});
   if (communicator.is_root()) add_expected_errors(*plan, document.layout);
   return plan;
 }

@@ -9,6 +9,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
+#include "beadswim/scene/force_directions.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/relaxed_shape.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
@@ -215,6 +216,8 @@ PredictionDocument predict_layout(const LayoutDocument& document, const std::str
   } else {
     predict_shape(std::get<ShapedSwimmer>(treated), layout, request, measured, predicted);
   }
+  if (std::string warning = warning_of_fixed_forces(layout); !warning.empty())
+    predicted.warnings.push_back(std::move(warning));
   predicted.study = document.study;
   predicted.provenance = document.provenance;
   return predicted;

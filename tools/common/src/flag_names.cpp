@@ -18,6 +18,7 @@ constexpr auto flags = std::to_array<NamedValue<Setting>>({
     {Setting::cycles, "--cycles"},
     {Setting::damping, "--damping"},
     {Setting::fraction, "--fraction"},
+    {Setting::frame, "--frame"},
     {Setting::frames_per_cycle, "--frames-per-cycle"},
     {Setting::method, "--method"},
     {Setting::model, "--model"},
