@@ -52,6 +52,16 @@ std::string uncertainty_text(const ComparisonRow& row) {
                            : fmt::format("± {:.0f} %", 100 * uncertainty);
 }
 
+/// Explains the columns "error" and "verdict", as far as the rows need it.
+std::string legend(std::span<const ComparisonRow> rows) {
+  const bool has_uncertainty = std::ranges::any_of(
+      rows, [](const ComparisonRow& row) { return row.run_uncertainty || row.reference_uncertainty; });
+  std::string text = "error: run minus reference, relative to the reference";
+  if (has_uncertainty) text += ", ± the uncertainty that both together state";
+  if (!std::ranges::all_of(rows, &ComparisonRow::decides)) text += "; verdicts in parentheses do not count";
+  return text + "\n";
+}
+
 using Rows = std::vector<const ComparisonRow*>;
 
 /// The rows of one swimmer of one run.
@@ -125,7 +135,8 @@ std::string verdict_table(const VerdictDocument& document, bool shows_all) {
   constexpr std::size_t long_table = 16;  // rows
   constexpr auto line = "{:<21} {:>13} {:>13}  {:<22} {:>10} {:>9}  {}\n";
   std::vector<Section> sections = sections_of(document.rows);
-  const bool has_headings = sections.size() > 1;
+  const std::size_t all_sections = sections.size();
+  const bool has_headings = all_sections > 1;
   if (!shows_all && document.rows.size() > long_table) shorten(sections);
   std::string table = fmt::format(line, "quantity", "run", "reference", "method", "error", "", "verdict");
   std::size_t shown = 0;
@@ -137,10 +148,11 @@ std::string verdict_table(const VerdictDocument& document, bool shows_all) {
                            uncertainty_text(*row), verdict_text(*row));
     shown += section.rows.size();
   }
+  table += legend(document.rows);
   if (shown < document.rows.size())
-    table +=
-        fmt::format("({} more rows with larger errors of methods, or of swimmers with smaller ones: --all)\n",
-                    document.rows.size() - shown);
+    table += fmt::format("{} rows, of methods with larger errors{}, are not shown; --all shows them\n",
+                         document.rows.size() - shown,
+                         sections.size() < all_sections ? " and of swimmers with smaller errors" : "");
   for (const auto& [property, run, reference] : document.scene_differences)
     table += fmt::format("allowed difference: {}: run {}, reference {}\n", to_text(property), run, reference);
   const bool pass = verdict(document.rows);
