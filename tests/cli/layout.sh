@@ -19,6 +19,10 @@ accepts beadswim-layout check --help
 refuses 'a command is needed: swimmer, swarm, shape, defect, reduce, vary, check' beadswim-layout
 refuses 'swimer: unknown command; did you mean "swimmer"' beadswim-layout swimer
 refuses 'swimer: unknown command' beadswim-layout swimer --help
+for box in '80 48 48' '80, 48, 48' '80,48 48'; do
+  refuses '48,?: unexpected argument; join the numbers of one flag by commas|"80,?(48)?" has [12] values, but 3 are needed, separated by commas' \
+    beadswim-layout swimmer --preset paper-single --box $box
+done
 refuses '--no-such-flag: unknown flag. "beadswim-layout --help" lists all flags' beadswim-layout --no-such-flag
 refuses '--raduis: unknown flag; did you mean --radius' beadswim-layout swimmer --raduis=4
 refuses 'required flags are missing: --stiffness, --amplitude' beadswim-layout swimmer --radius 4 --arm 20 --box 99,99,99

@@ -61,7 +61,7 @@ bad 'id given twice' "s/$swimmer/$swimmer, { \"id\": 0, \"type\": \"a\", \"posit
 bad 'axis not of unit length' 's/"axis": \[1.0/"axis": [2.0/' '/swimmers/0/axis: the axis \(2, 0, 0\) has the length 2'
 bad 'duplicate key' 's/"id": 0/"id": 0, "id": 0/' '/swimmers/0/id: this key is given twice'
 bad 'newer version' 's#layout/1#layout/3#; s/"fluid"/"medium"/' '/schema: the schema "beadswim/layout/3" is newer than this program'
-bad 'another document' 's#layout/1#run/1#' '/schema: the schema "beadswim/run/1" belongs to another kind of document'
+bad 'another document' 's#layout/1#run/1#' '/schema: the document is a run record \(beadswim-run\), without positions, .*; give a layout \(beadswim-layout\)'
 bad 'no schema' 's/"schema": [^\n]*//' ' the document lacks the key "schema"'
 bad 'comment' 's/"units"/\/\/ comment\n  "units"/' ' line 3, column '
 bad 'text after the document' 's/$/x/' ' line '

@@ -60,7 +60,7 @@ check 'power and gap are within their limits' holds '.predictions[0] | .power <=
 run beadswim-optimise paper.json "${limited[@]}" --subject-to power=:1e-12
 has_status 3
 out_empty
-err_has 'none of [0-9]+ layouts is within the limits; the best exceeds one by'
+err_has 'none of [0-9]+ layouts is within the limits; the nearest has power [0-9.e-]+ \(must be at most 1e-12\); widen'
 run beadswim-optimise paper.json --free amplitude=0.5:2 --maximise velocity --method rpy-perturbation
 err_has 'warning: beads of an arm overlap in their stroke .*add --subject-to gap=0:'
 
@@ -115,9 +115,16 @@ run beadswim-optimise paper.json --free amplitude=0.1:0.5 --maximise velocity --
 has_status 0
 err_has '^beadswim-optimise: multipole-ode: power = 0.0005.* is outside its limits$'
 check 'the trace says so' holds -s 'last | .stage == "verification" and .feasible == false and .power > 5e-4' verified.jsonl
-run beadswim-optimise paper.json --free phase=0:180deg --maximise velocity --method oseen-force-closed --verify-by lbm
+# A model that cannot run the layout is refused before the search, one that fails later leaves the result.
+refuses '^beadswim-optimise: --verify-by: lbm cannot run the layout: paper.json: .*a lattice needs a box' \
+  beadswim-optimise paper.json --free phase=0:180deg --maximise velocity --method oseen-force-closed --verify-by lbm --trace early.jsonl
+check 'no search was made' holds -s 'map(.stage) == ["given"]' early.jsonl
+beadswim-layout swimmer --preset paper-single --box 81,41.5,41 >odd.json
+refuses 'lbm cannot run the layout: odd.json: .*not a whole number' \
+  beadswim-optimise odd.json --free phase=0:180deg --maximise velocity --method oseen-force-closed --verify-by lbm
+run beadswim-optimise paper.json --free amplitude=0.1:9 --maximise velocity --method oseen-force-closed --verify-by rpy
 has_status 3
-err_has 'lbm cannot verify the layout that was found: .*a lattice needs a box'
+err_has 'rpy cannot verify the layout that was found: '
 check 'the result is there' holds '.study.velocity > 0' out
 
 # A limit of 0 does not depend on units, and holds strictly.

@@ -50,6 +50,27 @@ run beadswim-run cell.json --plan --tolerance 1e-4
 has_status 2
 err_has '^beadswim-run: --tolerance: no run has an error limit within 0.01 %; the run with the smallest limit, --model lbm --cells-per-radius 8.*, has .*: raise the tolerance'
 check "the plan is there" holds '.choice == null and .best != null' out
+err_has '^no run has an error limit within 0.01 %$'
+err_has '^not listed: [0-9]+ lattice runs that cost more than a run with a similar or smaller error$'
+check "runs in the table and others are all" test "$(grep -c '^  --model' err)" -eq \
+  "$(jq --argjson others "$(sed -n 's/^not listed: \([0-9]*\) .*/\1/p' err)" '[.runs[] | select(.refused == null)] | length - $others' out)"
+# A tolerance that was not given is not missed.
+beadswim-layout swimmer --preset paper-single --unbounded --amplitude 0.5 --period 1200 >quick.json
+run beadswim-run quick.json --plan --model rpy
+has_status 0
+err_has '^no run has an error limit within 3 %, the default of --tolerance$'
+run beadswim-run quick.json --plan --model rpy --tolerance 0.03
+has_status 2
+run beadswim-run <(jq -c . quick.json; jq -c . quick.json) --plan --model rpy
+has_status 0
+err_has '^all: 0 of 2 layouts have a run within the tolerance'
+run beadswim-run <(jq -c . quick.json; jq -c . quick.json) --plan --model rpy --tolerance 0.03
+has_status 3
+# Resolutions that the box leaves no room for are named.
+beadswim-layout swimmer --preset paper-single --box 61,41,40 --boundary periodic >odd.json
+run beadswim-run odd.json --plan --model lbm
+check "only what divides the box" holds '[.runs[].resolution.cells_per_radius] | unique == [4, 8]' out
+err_has '^hard: lattice runs with 2, 2.5, 3, 5, 6 cells per radius or nearly so are left out, .* multiple of the smallest radius, 4$'
 refuses '^beadswim-run: --tolerance: no run has an error limit' beadswim-run cell.json -o x.h5md --model auto --tolerance 1e-4
 refuses '^beadswim-run: --tolerance: ' beadswim-run cell.json -o x.h5md --model auto --tolerance -1
 check "no file is left" test ! -e x.h5md

@@ -443,6 +443,8 @@ done
 # --- what it refuses
 refuses 'a command is needed: stroke, velocity-against-period, against, separation, speed-against-error' beadswim-plot
 refuses 'strok: unknown command; did you mean "stroke"' beadswim-plot strok run.json
+refuses '^beadswim-plot: run.json: unknown command. One of these must come first: stroke, velocity-against-period' beadswim-plot run.json -o x.svg
+refuses '^beadswim-plot: strok: unknown command; did you mean "stroke"' beadswim-plot strok run.json --method all
 refuses '--method: the flag is in the wrong place; write the flag after "beadswim-plot stroke"' beadswim-plot --method all stroke run.json
 refuses '--metod: unknown flag; did you mean --method' beadswim-plot stroke run.json --metod all
 refuses 'no file is given' beadswim-plot stroke

@@ -25,6 +25,9 @@ done
 accepts beadswim-layout vary base.json --over /types/a/beads/0/radius=3,5 --over /swimmers/0/position/1=0.5
 check 'pointers set single values' holds -s 'map(.types.a.beads[0].radius) == [3, 5] and .[0].types.a.beads[1].radius == 4' out
 refuses 'base.json with /domain=1, radius=3:/domain: 1.0: the value must be of type object or null' beadswim-layout vary base.json --over /domain=1 --over radius=3
+accepts beadswim-layout vary base.json --over /swimmers/0/driving/phase_offset=0,0.7 --over /swimmers/0/driving/period=900
+check 'optional keys are made' holds -s 'map(.swimmers[0].driving) == [{period: 900}, {period: 900, phase_offset: 0.7}]
+  or map(.swimmers[0].driving | [.period, .phase_offset // 0]) == [[900, 0], [900, 0.7]]' out
 beadswim-layout shape purcell-chain --unbounded >chain.json
 accepts beadswim-layout vary chain.json --over /types/purcell-chain/beads/0/radius=1,1.5
 beadswim-layout vary base.json --over period=1000,2000 >two.jsonl
@@ -57,7 +60,9 @@ refuses 'this is no JSON pointer' beadswim-layout vary base.json --over /domain~
 accepts beadswim-layout vary base.json --over /swimmers/0/id=3,4
 refuses 'standard input can be read only once' beadswim-theory - - <base.json
 refuses 'a value is missing' beadswim-layout vary base.json --over period=1,,2
-refuses 'leads to nothing: base.json:/types/a has no key "bead"; did you mean "beads"' beadswim-layout vary base.json --over /types/a/bead=1
+refuses 'base.json with /types/a/bead=1:/types/a/bead: unknown key; did you mean "beads"' beadswim-layout vary base.json --over /types/a/bead=1
+refuses 'leads to nothing: base.json:/types/a has no key "bead"; did you mean "beads"' beadswim-layout vary base.json --over /types/a/bead/0/radius=1
+refuses '/swimmers/0/drving: unknown key; did you mean "driving"' beadswim-layout vary base.json --over /swimmers/0/drving/period=1
 refuses 'has 3 entries, numbered from 0' beadswim-layout vary base.json --over /types/a/beads/3/radius=1
 refuses 'base.json:/units is a single value' beadswim-layout vary base.json --over /units/length=1
 refuses 'leads to a list or an object' beadswim-layout vary base.json --over /types/a=1

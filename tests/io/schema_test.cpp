@@ -113,7 +113,8 @@ TEST(Schema, ShowsTwentyFaultsAndCountsTheRest) {
 
 TEST(SchemaName, SaysWhatTheDocumentIsInstead) {
   EXPECT_THAT(refusal("/schema", "beadswim/run/1"),
-              HasSubstr("another kind of document (\"run\"); give a document of the kind \"layout\""));
+              HasSubstr("the document is a run record (beadswim-run), without positions, which are in the "
+                        "trajectory (.h5md); give a layout (beadswim-layout)"));
   EXPECT_THAT(refusal("/schema", "layout"), HasSubstr("must be \"beadswim/layout/1\""));
   EXPECT_THAT(refusal("", Json::array()), HasSubstr("the JSON document is an array"));
   EXPECT_THAT(refusal("", Json::object()), HasSubstr("lacks the key \"schema\""));

@@ -13,6 +13,7 @@
 #include "beadswim/theory/methods.hpp"
 #include "one_run.hpp"
 #include "predict_layout.hpp"
+#include "run_setup.hpp"
 
 namespace beadswim {
 namespace {
@@ -117,11 +118,20 @@ class ModelEvaluator : public Evaluator {
     return sum;
   }
 
+  void require_treatable(const LayoutDocument& document, const std::string& source) const override {
+    plan_for(document, request_for(source), communicator_);
+  }
+
  private:
-  RunRecord run(const LayoutDocument& document, const std::string& source) const {
+  Request request_for(const std::string& source) const {
     Request request;
     request.options = options_;
     request.name = source;
+    return request;
+  }
+
+  RunRecord run(const LayoutDocument& document, const std::string& source) const {
+    Request request = request_for(source);
     RunRecord record;
     const RunOutcome outcome = run_layout(
         document, request, MPI_Wtime(), [&](const RunRecord& made) { record = made; }, communicator_,

@@ -42,6 +42,9 @@ class Evaluator {
   /// Returns the outcomes of a layout. Throws InputError or SolverError with the reason if the layout cannot
   /// be treated. `source`: name of the layout in messages.
   virtual Outcomes evaluate(const LayoutDocument& document, const std::string& source) const = 0;
+
+  /// Throws InputError if a layout cannot be treated, as far as this is known before it is evaluated.
+  virtual void require_treatable(const LayoutDocument&, const std::string&) const {}
 };
 
 /// Settings of evaluators.

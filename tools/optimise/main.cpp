@@ -221,7 +221,7 @@ class Searches {
     const int dimensions = static_cast<int>(free_.size());
     Optimisation optimisation(member, problem_, free_, by_, trace_);
     optimisation.begin();
-    if (verifier_ && !is_model(verifier_->name)) optimisation.require_treated_by(*verifier_);
+    if (verifier_) optimisation.require_treated_by(*verifier_);
     optimisation.find({.num_inequalities = problem_.num_inequalities(),
                        .evaluations = flags_.evaluations.value_or(default_evaluations(dimensions)),
                        .seed = static_cast<unsigned long>(flags_.seed)});

@@ -59,6 +59,13 @@ std::vector<Position> first_positions(std::size_t dimensions) {
   return positions;
 }
 
+std::string range_text(const Constraint& constraint) {
+  const auto& [outcome, low, high] = constraint;
+  if (!std::isfinite(low)) return fmt::format("at most {:.4g}", high);
+  return std::isfinite(high) ? fmt::format("from {:.4g} to {:.4g}", low, high)
+                             : fmt::format("at least {:.4g}", low);
+}
+
 }  // namespace
 
 Optimisation::Optimisation(StreamMember member, const Problem& problem, const std::vector<FreeValue>& free,
@@ -104,7 +111,8 @@ void Optimisation::begin() {
   const auto is_evaluated = [&](const auto& make_layout, const std::string& stage, const Json& study) {
     Outcomes outcomes;
     try {
-      outcomes = by_.evaluator->evaluate(make_layout(), member_.source);
+      treated_ = make_layout();
+      outcomes = by_.evaluator->evaluate(treated_, member_.source);
       problem_.require_outcomes(outcomes, by_.name);
       typical_ = outcomes;
     } catch (const InputError& error) {
@@ -148,8 +156,13 @@ void Optimisation::find(const SearchSettings& settings) {
 }
 
 void Optimisation::require_treated_by(const NamedEvaluator& other) const {
-  if (given_)
-    problem_.require_outcomes(other.evaluator->evaluate(layout_of(member_), member_.source), other.name);
+  try {
+    other.evaluator->require_treatable(treated_, member_.source);
+  } catch (const InputError& error) {
+    throw InputError("--verify-by", fmt::format("{} cannot run the layout: {}", other.name, error.what()));
+  }
+  if (given_ && !is_model(other.name))
+    problem_.require_outcomes(other.evaluator->evaluate(treated_, member_.source), other.name);
 }
 
 bool Optimisation::verify(const NamedEvaluator& other) {
@@ -208,10 +221,16 @@ void Optimisation::require_found(const SearchResult& found) const {
   if (!found.trial.value)
     throw SolverError(fmt::format("{}: {} could treat none of {} layouts; the last reason was: {}",
                                   member_.source, by_.name, found.evaluations, reason_));
-  throw SolverError(
-      fmt::format("{}: none of {} layouts is within the limits; the best exceeds one by {:.2g} of it; widen "
-                  "the bounds of --free or the limits of --subject-to, or give more --evaluations",
-                  member_.source, found.evaluations, found.trial.max_violation()));
+  const Outcomes nearest = by_.evaluator->evaluate(
+      with_values(layout_, study_point(free_, found.best), member_.source, free_flag), member_.source);
+  std::vector<std::string> outside;
+  for (const Constraint& constraint : problem_.constraints)
+    if (const double value = nearest.at(constraint.outcome).value; !constraint.contains(value))
+      outside.push_back(fmt::format("{} {:.4g} (must be {})", to_text(constraint.outcome), value,
+                                    range_text(constraint)));
+  throw SolverError(fmt::format("{}: none of {} layouts is within the limits; the nearest has {}; widen the "
+                                "bounds of --free or the limits of --subject-to, or give more --evaluations",
+                                member_.source, found.evaluations, fmt::join(outside, ", ")));
 }
 
 /// Finds the ranges around the best position. If a position in them is better, it takes the place of the

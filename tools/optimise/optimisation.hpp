@@ -39,7 +39,8 @@ class Optimisation {
   /// layout satisfies the limits.
   void find(const SearchSettings& settings);
 
-  /// Throws InputError if another method cannot treat the layout as it is, or does not give the outcomes.
+  /// Throws InputError if another method cannot treat the layout as it is or does not give the outcomes, or if
+  /// a model cannot run the first layout that was evaluated.
   void require_treated_by(const NamedEvaluator& other) const;
 
   /// Evaluates the layout that was found by another method or model. Returns false if this fails.
@@ -69,6 +70,7 @@ class Optimisation {
   const OpenFile& trace_;
   std::optional<Outcomes> given_;    ///< outcomes of the layout as it is; nullopt: it cannot be evaluated
   std::optional<Outcomes> typical_;  ///< outcomes of the first layout that was evaluated
+  LayoutDocument treated_;           ///< that layout
   std::vector<std::pair<double, double>> ranges_;  ///< ends of the range of each free value
   LayoutDocument best_;
   Outcomes outcomes_;   ///< outcomes of `best_`

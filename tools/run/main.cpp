@@ -67,6 +67,10 @@ int report_failure(const Communicator& communicator, const Communicator& failure
     return communicator.is_root() ? report_current_exception(program_name)
                                   : static_cast<int>(ExitStatus::failed);
   } catch (const StoppedEarly&) {
+    if (communicator.is_root() && std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
+      print_to_stderr(
+          "beadswim-run: the run ends with exit status 4, which mpirun reports as a failure; mpirun --quiet "
+          "omits this report\n");
     return communicator.is_root() ? report_current_exception(program_name)
                                   : static_cast<int>(ExitStatus::stopped_early);
   } catch (...) {

@@ -13,6 +13,7 @@
 #include "beadswim/plan/percent.hpp"
 #include "beadswim/plan/reason_against.hpp"
 #include "beadswim/plan/sufficient_box.hpp"
+#include "beadswim/scene/force_directions.hpp"
 #include "planned_scene.hpp"
 
 namespace beadswim {
@@ -154,12 +155,18 @@ RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::st
   plan.tolerance = request.tolerance.value_or(default_tolerance);
   const SceneFacts facts = scene_facts(layout, request.settings.cycles);
   plan.runs = mobility_runs(layout, facts, request, source, communicator);
-  if (!request.model || *request.model == RunModel::lbm)
+  const bool has_lattices = !request.model || *request.model == RunModel::lbm;
+  if (has_lattices)
     std::ranges::move(lattice_runs(layout, facts, request, source, communicator),
                       std::back_inserter(plan.runs));
   mark_runs_beyond_memory(plan.runs, communicator);
   choose(plan, communicator);
   if (!request.has_advice) return plan;
+  if (std::string warning = warning_of_fixed_forces(layout); !warning.empty())
+    plan.hard.push_back(std::move(warning));
+  if (std::string cells = left_out_resolutions(layout);
+      has_lattices && !request.settings.lattice.cells_per_radius && !cells.empty())
+    plan.hard.push_back(std::move(cells));
   add_hard_cases(plan, facts);
   if (request.may_change_scene) add_proposals(plan, layout, facts);
   return plan;

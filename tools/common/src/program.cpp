@@ -77,17 +77,21 @@ std::vector<std::string> others_with_flag(const std::string& word, const CLI::Ap
 void refuse_leftovers(const CLI::App& program) {
   const CLI::App& command = chosen_command(program);
   const std::vector<std::string> leftovers = program.remaining(true);
-  const auto flag = std::find_if(leftovers.begin(), leftovers.end(), looks_like_flag);
-  if (flag != leftovers.end()) refuse_flag(*flag, command);
-  if (leftovers.empty()) return;
-  if (leftovers.front().empty())
-    throw InputError("command line", "an argument is empty; is a shell variable not set?");
   const std::vector<std::string> commands = command_names(command);
-  const std::string what =
-      commands.empty() ? std::string("unexpected argument.")
-                       : fmt::format("unknown command{}", format_suggestion(leftovers.front(), commands));
-  throw InputError(leftovers.front(),
-                   fmt::format("{} \"{} --help\" lists what is allowed", what, full_name(command)));
+  const auto flag = std::find_if(leftovers.begin(), leftovers.end(), looks_like_flag),
+             word = std::find_if_not(leftovers.begin(), leftovers.end(), looks_like_flag);
+  const bool lacks_command = !commands.empty() && word != leftovers.end();
+  if (flag != leftovers.end() && !lacks_command) refuse_flag(*flag, command);
+  if (leftovers.empty()) return;
+  if (word->empty()) throw InputError("command line", "an argument is empty; is a shell variable not set?");
+  if (lacks_command)
+    throw InputError(*word, fmt::format("unknown command{} One of these must come first: {}",
+                                        format_suggestion(*word, commands), fmt::join(commands, ", ")));
+  throw InputError(*word, fmt::format("unexpected argument{}. \"{} --help\" lists what is allowed",
+                                      finite()(split_at_commas(*word).front()).empty()
+                                          ? "; join the numbers of one flag by commas, without spaces"
+                                          : "",
+                                      full_name(command)));
 }
 
 /// Throws InputError if a flag is given twice or without its value.

@@ -27,7 +27,7 @@ void add_model(CLI::App& program, RunOptions& options) {
   program.add_flag(
       "--plan", options.plan,
       "Run nothing; print the expected error and cost of all possible runs, and the cheapest run within "
-      "--tolerance. The exit status is 2 if no run is within it.");
+      "--tolerance. If you give --tolerance and no run is within it, the exit status is 2.");
   program
       .add_option("--tolerance", options.tolerance,
                   "Largest relative error of velocity and arm amplitudes for --plan and --model auto; with "

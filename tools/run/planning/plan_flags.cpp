@@ -80,6 +80,7 @@ const PlannedRun& choose_run(const RunPlan& plan, const RunOptions& options) {
     throw InputError("--plan", fmt::format("no model can run this scene with these flags. {}",
                                            fmt::join(refusals(plan, options), ". ")));
   const PlannedRun& best = plan.runs[*plan.best];
+  if (options.plan && !options.tolerance) return best;
   throw InputError(
       "--tolerance",
       fmt::format(

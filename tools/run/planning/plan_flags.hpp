@@ -22,8 +22,9 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options);
 /// only in numbers share one entry.
 std::vector<std::string> refusals(const RunPlan& plan, const RunOptions& options);
 
-/// Returns the cheapest planned run whose expected error is within the tolerance. Throws InputError if there
-/// is no such run; the message states the run with the smallest expected error, or why all runs are refused.
+/// Returns the cheapest planned run whose expected error is within the tolerance. If there is none, returns
+/// the run with the smallest expected error for a plan without --tolerance; otherwise throws InputError with
+/// that run. Throws InputError with the reasons if all runs are refused.
 const PlannedRun& choose_run(const RunPlan& plan, const RunOptions& options);
 
 }  // namespace beadswim

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "beadswim/io/fields_json.hpp"
+#include "beadswim/plan/percent.hpp"
 #include "planning/plan_flags.hpp"
 
 namespace beadswim {
@@ -125,6 +126,14 @@ std::string plan_table(const RunPlan& plan, const RunOptions& options, const Com
   const PlannedRun* choice = plan.choice ? &plan.runs[*plan.choice] : nullptr;
   for (const PlannedRun* run : front)
     text += plan_row(*run, options, communicator, run == choice ? "<- cheapest" : "");
+  const auto possible =
+      std::ranges::count_if(plan.runs, [](const PlannedRun& run) { return run.refused.empty(); });
+  if (const auto others = possible - std::ssize(front); others > 0)
+    text += fmt::format("not listed: {} lattice runs that cost more than a run with a similar or smaller error\n",
+                        others);
+  if (plan.best && !choice)
+    text += fmt::format("no run has an error limit within {}{}\n", in_percent(plan.tolerance),
+                        options.tolerance ? "" : ", the default of --tolerance");
   text += cells_by_level(front) + fmt::format("error: {}\n", error_definition);
   for (const std::string& refusal : refusals(plan, options)) text += fmt::format("refused: {}\n", refusal);
   for (const std::string& hard : plan.hard) text += fmt::format("hard: {}\n", hard);

@@ -22,11 +22,13 @@ struct MemberPlan {
   std::string document;  ///< line of JSON
   std::string row;       ///< row of the table
   std::optional<PlannedRun> choice;
+  bool has_failed = false;  ///< no run is possible, or none is within the tolerance that was given
 };
 
 /// Costs of the cheapest runs of all layouts.
 struct StreamCosts {
-  int runs = 0;  ///< number of layouts with a run within the tolerance
+  int runs = 0;    ///< number of layouts with a run within the tolerance
+  int failed = 0;  ///< number of layouts whose plans failed
   double core_seconds = 0, output_bytes = 0;
   double max_memory_bytes = 0;  ///< memory of the largest run
 
@@ -39,7 +41,8 @@ struct StreamCosts {
 
   /// Combines the costs of all ranks. Collective.
   void combine(const Communicator& communicator) {
-    MPI_Allreduce(MPI_IN_PLACE, &runs, 1, MPI_INT, MPI_SUM, communicator.get());
+    for (int* count : {&runs, &failed})
+      MPI_Allreduce(MPI_IN_PLACE, count, 1, MPI_INT, MPI_SUM, communicator.get());
     for (double* sum : {&core_seconds, &output_bytes})
       MPI_Allreduce(MPI_IN_PLACE, sum, 1, MPI_DOUBLE, MPI_SUM, communicator.get());
     MPI_Allreduce(MPI_IN_PLACE, &max_memory_bytes, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
@@ -53,6 +56,7 @@ MemberPlan plan_member(const StreamMember& member, const RunOptions& options,
   MemberPlan made;
   const auto refuse = [&](const std::string& reason) {
     made.row = fmt::format("{:>8}  {}\n", member.number, reason);
+    made.has_failed = true;
   };
   try {
     PlanRequest request = plan_request(options, group);
@@ -69,6 +73,7 @@ MemberPlan plan_member(const StreamMember& member, const RunOptions& options,
       const PlannedRun& best = plan.runs[*plan.best];
       refuse(fmt::format("no run within {}; smallest error: {}, {}", in_percent(plan.tolerance),
                          flags_of(best, options), in_percent(best.error.limit.largest())));
+      made.has_failed = options.tolerance.has_value();
     } else {
       refuse("no model can run this layout; see \"refused\" in its plan");
     }
@@ -124,6 +129,7 @@ void plan_stream(const StoredLayouts& layouts, const RunOptions& options, const 
       print_to_stderr(rows);
     }
     if (made.choice) costs.add(*made.choice);
+    costs.failed += made.has_failed;
   }
   costs.combine(communicator);
   if (prints)
@@ -132,11 +138,11 @@ void plan_stream(const StoredLayouts& layouts, const RunOptions& options, const 
         "{:.3g} s on the ranks of this command ({}), {} of output, at most {} of memory per run\n",
         costs.runs, layouts.size(), costs.core_seconds, costs.core_seconds / communicator.size(),
         communicator.size(), size_text(costs.output_bytes), size_text(costs.max_memory_bytes)));
-  if (costs.runs < layouts.size())
+  if (costs.failed > 0)
     throw RunFailed(
         fmt::format("{} of {} layouts have no run within the tolerance: see the keys \"best\" and "
                     "\"reason\" of the lines",
-                    layouts.size() - costs.runs, layouts.size()));
+                    costs.failed, layouts.size()));
 }
 
 }  // namespace beadswim

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <regex>
 
@@ -25,11 +27,24 @@ std::optional<SchemaName> parse_schema_name(const std::string& text) {
   return SchemaName{part[1], std::stoi(part[2])};
 }
 
+/// Returns what a document of the kind is, and which program writes it.
+std::string in_words(const std::string& kind) {
+  constexpr std::array kinds{
+      std::pair{"bench", "a result of beadswim-bench"},
+      std::pair{"failure", "a failure, whose key \"reason\" says why there is no result"},
+      std::pair{"layout", "a layout (beadswim-layout)"},
+      std::pair{"layout-check", "a result of beadswim-layout check"},
+      std::pair{"plan", "a plan of runs (beadswim-run)"},
+      std::pair{"prediction", "a prediction (beadswim-theory)"},
+      std::pair{"run", "a run record (beadswim-run), without positions, which are in the trajectory (.h5md)"},
+      std::pair{"verdict", "a verdict (beadswim-compare)"}};
+  const auto known = std::ranges::find(kinds, kind, [](const auto& each) { return each.first; });
+  return known == kinds.end() ? fmt::format("a document of the kind \"{}\"", kind) : known->second;
+}
+
 std::string disagreement(const SchemaName& found, const SchemaName& wanted, const std::string& found_text) {
   if (found.kind != wanted.kind) {
-    return fmt::format(
-        "the schema \"{}\" belongs to another kind of document (\"{}\"); give a document of the kind \"{}\"",
-        found_text, found.kind, wanted.kind);
+    return fmt::format("the document is {}; give {}", in_words(found.kind), in_words(wanted.kind));
   }
   if (found.version > wanted.version) {
     return fmt::format(
