@@ -27,14 +27,27 @@ fails() { # REGEX COMMAND...
 }
 
 # --- standard output is full, or closed
-for command in 'layout swimmer --preset paper-single' 'layout swarm --preset paper-uniform' 'layout check layout.json' \
+programs=('layout swimmer --preset paper-single' 'layout swarm --preset paper-uniform' 'layout check layout.json' \
   'layout reduce layout.json' 'layout defect phase --sigma 0.1 --seed 1 layout.json' 'layout --help' \
   'theory layout.json --method rpy-ode' 'theory --jsonl layout.jsonl --method rpy-ode' \
   'compare run.json prediction.json --tolerance 0.9' 'plot stroke run.json prediction.json -o -' \
-  "run $rpy -o full.h5md --cycles 1" "${views[@]}"; do
+  "run $rpy -o full.h5md --cycles 1" 'run --help' 'optimise --help' 'bench --help' "${views[@]}")
+for command in "${programs[@]}"; do
   fails 'standard output: the text cannot be written: No space left on device' bash -c "beadswim-$command >/dev/full"
+  fails 'standard output: the text cannot be written: Bad file descriptor' bash -c "beadswim-$command >&-"
 done
-fails 'standard output: the text cannot be written' bash -c "beadswim-layout swimmer --preset paper-single >&-"
+# A file that a program opens, such as the copy of its standard input, must not take the place of standard output.
+for command in 'layout check -' 'layout reduce -' 'layout defect phase --sigma 0.1 -' 'layout vary - --over period=1,2' \
+  'theory - --method rpy-ode' 'theory --jsonl - --method rpy-ode' 'plot swarm - -o -' "run ${rpy/layout.json/-} -o full.h5md --cycles 1"; do
+  fails 'standard output: the text cannot be written: Bad file descriptor' bash -c "beadswim-$command <layout.json >&-"
+done
+fails 'standard output: the text cannot be written: Bad file descriptor' \
+  bash -c 'beadswim-compare - prediction.json --tolerance 0.9 <run.json >&-'
+fails 'standard output: the text cannot be written: Bad file descriptor' \
+  bash -c "beadswim-run $rpy -o full.h5md --cycles 1 <&- >&-"
+run bash -c "beadswim-run $rpy -o full.h5md --cycles 1 --progress none >record <&- 2>&-"
+has_status 0
+check "the record is whole although the other streams are closed" test "$(jq -r .status record)" = finished
 check "the run's trajectory is whole" h5diff run.h5md full.h5md
 
 # --- inputs that are not there, or cannot be: no folder on the way, a name that is too long
@@ -88,6 +101,13 @@ older"
     check "run: status 2" test "$(<status)" = 2
     err_has 'a.h5md.part cannot be created: Read-only file system'
     out_is older
+  done
+  # The last row of the trajectory is not written: it is left out, whichever dataset lacks it.
+  for size in 480 500 520 545 560 580; do
+    disk $size "cd ..; beadswim-run $rpy -o disk/a.h5md --progress none --cycles 999 --frames-per-cycle 20; cp disk/a.h5md.part ."
+    run beadswim-plot trajectories a.h5md.part -o a.svg --data a.csv
+    has_status 0
+    check "beads jump at the end" awk -F, 'NR > 2 && ($NF - last > 1 || last - $NF > 1) { exit 1 } { last = $NF }' a.csv
   done
   disk 1200 "cd ..; beadswim-run $lbm -o disk/a.h5md --flow-every 0.1 --progress none; echo \$? >status"
   check "flow fields: status 3" test "$(<status)" = 3

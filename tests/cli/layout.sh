@@ -42,6 +42,8 @@ refuses '--radius: "4,5" has 2 values, but 1 or 3' beadswim-layout swimmer --pre
 refuses '--radius: the flag is given 2 times' beadswim-layout swimmer --preset paper-single --radius 4 --radius 5
 refuses '--axis: required but not given; see "beadswim-layout defect spacing --help"' beadswim-layout defect spacing layout.json
 refuses '--axis: unknown value "w"\. Valid values: x, y, z' beadswim-layout defect spacing layout.json --axis w
+refuses '--sigma: "-5deg": the angle must be 0 or greater' beadswim-layout defect rotation layout.json --sigma=-5deg
+refuses '--sigma: "5deg": the value must be a number' beadswim-layout defect jitter layout.json --sigma 5deg
 refuses '--fraction: "2": the value must be a number from 0 to 1' beadswim-layout defect vacancy layout.json --fraction 2
 refuses '--radius: the flag needs a value' beadswim-layout swimmer --preset paper-single --radius
 refuses '--period: "": the value must be' beadswim-layout swimmer --preset paper-single --period ""

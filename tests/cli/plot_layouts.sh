@@ -110,6 +110,12 @@ jq '.types as {$a} | .types = ([range(9) | {key: "type \(.)", value: ($a | .spri
 accepts beadswim-plot swarm types.json --colours types
 notes_have '10 types: λ = 6, l = 32, k = 0\.2 to 0\.3, A, B = 2, T = 2000; 1 driven otherwise'
 
+jq '(.types | keys[0]) as $a | .types["\u0001&<\u001f\uffff\"_é"] = .types[$a] | .swimmers[0].type = "\u0001&<\u001f\uffff\"_é"' full.json >odd.json
+for figure in "swarm odd.json --colours types" "swarm odd.json" "swimmer odd.json --swimmers 0"; do
+  accepts beadswim-plot $figure
+  well_formed out
+done
+
 # --- the pictures of docs/figures.md are those of the examples
 examples=$BEADSWIM_SOURCE/examples
 for figure in 1 4; do

@@ -37,8 +37,9 @@ for ranks in 2 3 4; do
 done
 check "the pvd names its files" grep -q 'file="1.h5md.flow/000000200.vti"' 1.h5md.flow.pvd
 check "the index for ParaView names the trajectory, and all 81 frames" \
-  test "$(grep -c '<Time Value=' 4.h5md.xdmf2)" -eq 81 -a "$(grep -c '>4.h5md:/particles/beads/radius<' 4.h5md.xdmf2)" -eq 81
+  test "$(grep -c '<Grid Name="beads">' 4.h5md.xdmf2)" -eq 81 -a "$(grep -c '>4.h5md:/particles/beads/radius<' 4.h5md.xdmf2)" -eq 1
 check "it is well-formed" python3 -c 'import sys, xml.dom.minidom as xml; xml.parse(sys.argv[1])' 4.h5md.xdmf2
+check "the index is larger than 600 bytes a frame" test "$(stat -c %s 4.h5md.xdmf2)" -lt $((600 * 81))
 check "no .part file is left" test -z "$(ls ./*.part 2>/dev/null)"
 
 # A swimmer across the box's corner, strongly driven: where ranks share every sum.
@@ -55,6 +56,52 @@ has_status 2
 run bash -c 'beadswim-run layout.json -o closed.h5md --cycles 0.1 --progress none | true; exit ${PIPESTATUS[0]}'
 has_status 3
 check "the trajectory is whole although nobody read the record" test -s closed.h5md
+
+# --- names: of any characters in the indices for ParaView; those that it cannot open; those that leave no room for others
+run beadswim-run layout.json -o 'a&<b"c.h5md' "${quiet[@]}" --flow-every 1
+has_status 0
+check "a warning of the name" test "$(grep -c ParaView err)" -eq 0
+command_line="the indices of a&<b\"c.h5md"
+check "they do not name the files" python3 - <<'PYTHON'
+import glob, xml.etree.ElementTree as xml
+pvd, xdmf = (xml.parse('a&<b"c.h5md' + ending) for ending in (".flow.pvd", ".xdmf2"))
+files = sorted(data.get("file") for data in pvd.iter("DataSet"))
+assert files == sorted(glob.glob('a&<b"c.h5md.flow/*.vti')) and files, files
+assert 'a&<b"c.h5md:/particles/beads/radius' in [item.text for item in xdmf.iter("DataItem")]
+PYTHON
+for name in 'λ.h5md' 'a:b.h5md' 'a\b.h5md' ' a.h5md' '~a.h5md'; do
+  run beadswim-run layout.json -o "$name" --model rpy --cycles 1 --progress none
+  has_status 0
+  err_has 'warning: ParaView will not open the results by the name .*; give another name with -o'
+  check "an index that ParaView does not open" test ! -e "$name.xdmf2"
+done
+long() { printf 'x%.0s' $(seq $(($1 - 5))); echo .h5md; }
+for length in 240 250 255 256; do
+  for model in "--model rpy" "--flow-every 0.5"; do
+    refuses '--output: .*cannot be created: File name too long' beadswim-run layout.json -o "$(long $length)" $model --cycles 1
+  done
+done
+refuses '--output: .*cannot be created: File name too long' \
+  bash -c 'jq -c "., ." layout.json | beadswim-run - --model rpy -o "'"$(long 245)"'{}.h5md"'
+run beadswim-run layout.json -o "$(long 235)" --flow-every 0.5 --checkpoint-every 0.5 --cycles 1 --progress none
+has_status 0
+check "no index" test -s "$(long 235).xdmf2" -a -s "$(long 235).flow.pvd"
+mkdir elsewhere
+ln -s elsewhere/target.h5md link.h5md
+for again in 1 2; do
+  run beadswim-run layout.json -o link.h5md --model rpy --cycles 1 --progress none
+  check "the link is followed" test -L link.h5md -a -s elsewhere/target.h5md -a ! -L elsewhere/target.h5md
+done
+run beadswim-run layout.json -o short.h5md --model rpy --cycles 0.001 --progress none
+has_status 0
+err_has 'warning: the run is too short for a complete cycle of 1 of 1 swimmers, .*; run 1 cycles or more'
+check "the record says it, too" holds '.warnings | any(.code == "no-cycle")' out
+beadswim-layout swarm --preset paper-uniform --blocks 1,2,2 --block-swimmers 1,1,1 | beadswim-layout defect frequency --sigma 0.2 --seed 2 >slow.json
+run beadswim-run slow.json -o slow.h5md --model rpy --cycles 1 --progress none
+needed=$(sed -n 's/.* of [1-3] of 4 swimmers, .*; run \([0-9.]*\) cycles or more/\1/p' err)
+run beadswim-run slow.json -o slow.h5md --model rpy --cycles "$needed" --progress none
+check "the cycles that it asks for are too few" holds '.swimmers | all(.cycles | length > 0)' out
+check "there is a warning" test "$(grep -c 'too short' err)" -eq 0
 
 # --- the record
 check "status" test "$(jq -r .status 1.json)" = finished

@@ -322,6 +322,18 @@ bad 'a version to come' '.schema = "beadswim/layout/3"' '/schema: .*newer than t
 bad 'a key of version 1' '.types[].springs = []' '/types/triangle/springs: unknown key'
 accepts bash -c "jq '.types[].driving.net_force = \"allowed\" | .types[].driving.forces = [{bead: 1, direction: [1, 0, 0], constant: 0.01}]' triangle.json | beadswim-layout check -"
 
+# --- a direction of any length, for the same force along it
+directed() { # X,Y,Z
+  jq ".types[].driving = {period: 1000, net_force: \"allowed\", forces: [{bead: 2, direction: [$1], constant: 0.01, harmonics: [{amplitude: 0.01}]}]}" triangle.json
+}
+moved() { beadswim-run - --model rpy --cycles 1 -o directed.h5md --progress none 2>/dev/null | jq -c '[.swimmers[].cycles[0].velocity[]]'; }
+directed 0.6,0,-0.8 | moved >unit
+for direction in 3,0,-4 6e-7,0,-8e-7 6e200,0,-8e200 6e-300,0,-8e-300; do
+  directed $direction | moved >other
+  check "$direction moves the swimmer otherwise" \
+    jq -ne --slurpfile a unit --slurpfile b other '[$a[0], $b[0]] | transpose | map(.[0] - .[1] | fabs < 1e-12) | all'
+done
+
 # --- the gallery: each kind has defaults, runs, and moves as theory predicts
 for kind in dumbbell triangle prescribed-three-bead purcell-chain flagellum sphere chain; do
   run beadswim-layout shape $kind

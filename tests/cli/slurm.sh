@@ -38,6 +38,10 @@ check "queued once" test "$(wc -l <requeued)" -eq 1
 check "trajectory of an unbroken run" h5diff whole.h5md slurm.h5md
 state() { jq -r .state_sha256 "$1"; }
 check "state of an unbroken run" test "$(state whole.json)" = "$(state slurm.json)"
+rm slurm.json slurm.h5md
+run bash "$jobs/run.sbatch" layout.json slurm.h5md "${flags[@]}"
+has_status 0
+check "a job after the end finishes the run again" test "$(state whole.json)" = "$(state slurm.json)" -a -s slurm.h5md
 
 # --- a study in two jobs of an array
 rm requeued

@@ -39,6 +39,11 @@ for defect in 'vacancy --count 3' 'interstitial --fraction 0.05' 'jitter --sigma
   has_status 0
   check "$defect: another seed, the same" test "$(jq -cS 'del(.provenance)' once.json)" != "$(jq -cS 'del(.provenance)' out)"
 done
+radians=0.08726646259971647  # 5 degrees
+for defect in rotation phase; do
+  same_bytes "beadswim-layout defect $defect --sigma 5deg swarm.json | jq 'del(.provenance)'" \
+    "beadswim-layout defect $defect --sigma $radians swarm.json | jq 'del(.provenance)'"
+done
 run bash -c 'beadswim-layout defect vacancy --fraction 0.25 <swarm.json | beadswim-layout defect jitter --sigma 0.5 --seed 2 |
   beadswim-layout defect phase --random --seed 3'
 has_status 0

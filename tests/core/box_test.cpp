@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace beadswim {
 namespace {
 
@@ -14,6 +16,23 @@ TEST(Box, WrapsPeriodicCoordinatesAlone) {
   EXPECT_EQ(wrapped({-1, -1, 95}, channel), Vec3(7, -1, 95));
   EXPECT_EQ(wrapped({17, 6, 3}, channel), Vec3(1, 6, 3));
   EXPECT_EQ(wrapped({17, 6, 3}, std::nullopt), Vec3(17, 6, 3));
+}
+
+// Catches coordinates that rounding puts on the upper end of the box, or below its lower end.
+TEST(Box, WrapsCoordinatesIntoTheHalfOpenBox) {
+  for (const double length : {6.0, 0.1, 1e-3 / 3, 49.0, 1e150}) {
+    const Box box{.lengths = Vec3::Constant(length), .boundary = {}};
+    for (const double multiple : {-3.0, -1.0, 0.0, 1.0, 7.0, 1e6}) {
+      const double end = multiple * length;
+      for (const double x :
+           {end, std::nextafter(end, -HUGE_VAL), std::nextafter(end, HUGE_VAL), end - 1e-25 * length}) {
+        const double inside = wrapped({x, 0, 0}, box)[0], image = image_number({x, 0, 0}, box)[0];
+        EXPECT_GE(inside, 0) << x << " in " << length;
+        EXPECT_LT(inside, length) << x << " in " << length;
+        EXPECT_NEAR(inside + image * length, x, 1e-15 * std::max(length, std::abs(x)));
+      }
+    }
+  }
 }
 
 // Catches a separation that is taken through a wall.

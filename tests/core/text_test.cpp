@@ -1,11 +1,27 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/core/sha256.hpp"
 #include "beadswim/core/version.hpp"
+#include "beadswim/core/xml_text.hpp"
 
 namespace beadswim {
 namespace {
+
+// RFC 3629 (UTF-8) and the production Char of XML 1.0. python3 of tests/cli reads such texts in whole
+// documents.
+TEST(XmlText, IsWhatXmlReadersGiveBack) {
+  EXPECT_EQ(xml_text("a&b<c>\"d'"), "a&amp;b&lt;c&gt;&quot;d'");
+  EXPECT_EQ(xml_text("a\tb\nc"), "a&#9;b&#10;c");  // plain ones become blanks in an attribute
+  EXPECT_EQ(xml_text("λ 日 \xF0\x9F\x90\x9F"), "λ 日 \xF0\x9F\x90\x9F");
+  const std::string replaced = "\xEF\xBF\xBD";
+  EXPECT_EQ(xml_text(std::string("a\0b", 3)), "a" + replaced + "b");
+  for (const char* one : {"\x01", "\x1F", "\xFF", "\xA4", "\xEF\xBF\xBE"})  // the last one is U+FFFE
+    EXPECT_THAT(xml_text(one), testing::MatchesRegex("(" + replaced + ")+")) << one;
+  for (const char* several : {"\xC0\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE6\x97"})  // not UTF-8
+    EXPECT_THAT(xml_text(several), testing::MatchesRegex("(" + replaced + ")+")) << several;
+}
 
 TEST(NearestName, FindsTheLikelyMeaning) {
   const std::vector<std::string> names{"radius", "density", "damping", "stiffness"};

@@ -81,6 +81,18 @@ TEST(JsonParse, RefusesWhatJsonDoesNotHave) {
   }
 }
 
+// The parser of nlohmann-json takes a NUL character for the end of the text.
+TEST(JsonParse, RefusesNulCharactersAndOtherEncodings) {
+  EXPECT_THAT(refusal(std::string("{}\n\0", 4)),
+              StartsWith("in.json: line 2, column 1: the text contains a NUL"));
+  EXPECT_THAT(refusal(std::string("[1,\0 2]", 7)), HasSubstr("line 1, column 4: the text contains a NUL"));
+  const std::string utf16("{\0}\0", 4), utf32("{\0\0\0}\0\0\0", 8);
+  for (const std::string& text : {"\xFF\xFE" + utf16, utf16, "\xFE\xFF" + std::string("\0{\0}", 4),
+                                  std::string("\0{\0}", 4), "\xFF\xFE" + std::string(2, '\0') + utf32, utf32})
+    EXPECT_THAT(refusal(text), HasSubstr("not UTF-8, but probably UTF-16")) << text;
+  EXPECT_EQ(refusal("\xEF\xBB\xBF{}"), "");  // UTF-8 with a byte-order mark
+}
+
 // Cut anywhere, a document is refused; cut inside, the message says that its end is missing.
 TEST(JsonParse, SaysThatATruncatedTextEndsTooEarly) {
   const std::string text = R"({"a":[1,"xy",true],"b":{"c":-0.5}})";

@@ -78,6 +78,15 @@ TEST_F(TextFile, WritesThroughASymbolicLink) {
   EXPECT_EQ(read_text(in_folder("target")), "new");
 }
 
+TEST_F(TextFile, WritesThroughLinksToAFileThatIsNotThereYet) {
+  fs::create_directory(in_folder("other"));
+  fs::create_symlink("other/target", in_folder("second"));
+  fs::create_symlink("second", in_folder("first"));
+  write_text(in_folder("first"), "new");
+  EXPECT_TRUE(fs::is_symlink(in_folder("first")) && fs::is_symlink(in_folder("second")));
+  EXPECT_EQ(read_text(in_folder("other/target")), "new");
+}
+
 // A rename would put a file in the pipe's place, and the reader would wait for ever.
 TEST_F(TextFile, WritesIntoAPipe) {
   ASSERT_EQ(::mkfifo(in_folder("pipe").c_str(), 0600), 0);

@@ -198,6 +198,71 @@ TEST(TrajectoryReader, ReadsTheWholeFramesOfAFileThatIsBeingWritten) {
   writer.finish();
 }
 
+// On a full disk, HDF5 extends datasets whose new rows it then cannot write; they read as zeros.
+TEST(TrajectoryReader, LeavesOutAFrameThatIsNotWritten) {
+  const Folder folder;
+  const auto extended = [&](const std::vector<std::string>& names) {
+    const std::string path = folder.file("full.h5md.part");
+    write(path, 3);
+    const H5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path);
+    for (const std::string& name : names) {
+      const H5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+      std::array<hsize_t, 3> extent{};
+      H5Sget_simple_extent_dims(H5Handle(H5Dget_space(dataset), H5Sclose, name), extent.data(), nullptr);
+      ++extent[0];
+      H5Dset_extent(dataset, extent.data());
+    }
+    return path;
+  };
+  const std::vector<std::string> values{"particles/beads/box/edges/value", "particles/beads/position/value",
+                                        "particles/beads/image/value",     "particles/beads/velocity/value",
+                                        "observables/mean_flow/value",     "observables/momentum/value"};
+  std::vector<std::string> all = values;
+  all.insert(all.end(), {"particles/beads/position/step", "particles/beads/position/time"});
+  for (const auto& names : {values, all, std::vector<std::string>{all.back()}}) {
+    const TrajectoryReader reader(extended(names));
+    ASSERT_EQ(reader.frames(), 3U);
+    EXPECT_TRUE(reader.has_incomplete_frame());
+    expect_equal(reader.frame(2), frame_number(2));
+  }
+  EXPECT_FALSE(TrajectoryReader(extended({})).has_incomplete_frame());
+}
+
+// The trajectory replaces the target of a link, not the link.
+TEST(TrajectoryReader, WritesThroughASymbolicLink) {
+  const Folder folder;
+  std::filesystem::create_directories(folder.file("disk"));
+  std::filesystem::create_symlink("disk/target.h5md", folder.file("link.h5md"));
+  for (const int frames : {2, 3}) {  // a target that is not there yet, and one to be replaced
+    write(folder.file("link.h5md"), frames);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link.h5md")));
+    EXPECT_EQ(TrajectoryReader(folder.file("disk/target.h5md")).frames(), std::size_t(frames));
+  }
+}
+
+// Readers such as OVITO expect wrapped positions below the box length.
+TEST(TrajectoryReader, WrapsPositionsBelowTheBoxLengthInSinglePrecisionToo) {
+  const Folder folder;
+  const double length = 0.1;  // its nearest number in single precision is greater
+  TrajectoryHeader header = two_swimmers();
+  header.box->lengths = Vec3::Constant(length);
+  const std::vector<double> x{-1e-25, length * (1 - 1e-10), -1e-9 * length, length, 3 * length - 1e-12, 0};
+  write(folder.file("run.h5md"), 1, header, [&](TrajectoryFrame& frame) {
+    for (int b = 0; b < 6; ++b) frame.positions[b] = Vec3(x[b], 0, 0);
+  });
+  const std::string name = "particles/beads/position/value";
+  const H5Handle file(H5Fopen(folder.file("run.h5md").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, name);
+  const H5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+  std::array<float, 18> wrapped{};
+  ASSERT_GE(H5Dread(dataset, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, wrapped.data()), 0);
+  const TrajectoryFrame frame = TrajectoryReader(folder.file("run.h5md")).frame(0);
+  for (int b = 0; b < 6; ++b) {
+    EXPECT_GE(wrapped[3 * b], 0) << x[b];
+    EXPECT_LT(static_cast<double>(wrapped[3 * b]), length) << x[b];
+    EXPECT_NEAR(frame.positions[b][0], x[b], 1e-7 * length);
+  }
+}
+
 TEST(TrajectoryReader, SaysThatThereIsNoFrameYet) {
   const Folder folder;
   write(folder.file("run.h5md"), 0);

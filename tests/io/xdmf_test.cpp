@@ -48,14 +48,33 @@ TEST_F(Xdmf, NamesTimesAndPlacesOfEveryFrame) {
   write_trajectory(file("run.h5md"), 4);
   write_xdmf(file("run.h5md"));
   const std::string text = read_text(file("run.h5md.xdmf2"));
-  EXPECT_THAT(text, HasSubstr("<Time Value=\"0.30000000000000004\"/>"));  // all digits of the trajectory's
-  EXPECT_THAT(text,
-              HasSubstr(">3 0 0 1 1 1 1 3 3</DataItem><DataItem Dimensions=\"4 3 3\" NumberType=\"Float\" "
-                        "Precision=\"4\" Format=\"HDF\">run.h5md:/particles/beads/velocity/value<"));
+  EXPECT_THAT(text, HasSubstr("<DataItem Dimensions=\"4\" NumberType=\"Float\" Precision=\"8\" "
+                              "Format=\"HDF\">run.h5md:/particles/beads/position/time<"));
+  EXPECT_THAT(text, HasSubstr("<DataItem Dimensions=\"4 3 3\" NumberType=\"Float\" Precision=\"4\" "
+                              "Format=\"HDF\">run.h5md:/particles/beads/velocity/value<"));
+  EXPECT_THAT(text, HasSubstr("<!ENTITY one \" 0 0 1 1 1 1 3 3\">"));
+  EXPECT_THAT(text, HasSubstr(">3&one;</DataItem>&velocity;</DataItem></Attribute>"));
   EXPECT_THAT(text,
               HasSubstr("<DataItem Dimensions=\"3\" NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">"
                         "run.h5md:/particles/beads/radius<"));
-  EXPECT_EQ(text.find("4 0 0 1"), std::string::npos);
+  EXPECT_EQ(text.find(">4&one;"), std::string::npos);
+}
+
+// With all in each frame, 1600 bytes: seven times the bytes of the frame in the trajectory.
+TEST_F(Xdmf, TakesFewBytesForEachFrame) {
+  write_trajectory(file("run.h5md"), 1);
+  write_xdmf(file("run.h5md"));
+  const auto one = std::filesystem::file_size(file("run.h5md.xdmf2"));
+  write_trajectory(file("run.h5md"), 1001);
+  write_xdmf(file("run.h5md"));
+  EXPECT_LT(std::filesystem::file_size(file("run.h5md.xdmf2")) - one, 420 * 1000);
+}
+
+TEST_F(Xdmf, KnowsTheNamesThatParaviewOpens) {
+  for (const char* name : {"run.h5md", "d:/a'b\"c&d<e>.h5md", "a b.h5md"})
+    EXPECT_TRUE(paraview_can_open(name)) << name;
+  for (const char* name : {"λ.h5md", "a:b.h5md", "a\\b.h5md", " a.h5md", "~a.h5md"})
+    EXPECT_FALSE(paraview_can_open(name)) << name;
 }
 
 TEST_F(Xdmf, EscapesTheNameOfTheTrajectory) {

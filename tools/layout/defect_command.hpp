@@ -30,6 +30,7 @@ class DefectCommand {
   /// both for the help.
   void add_amount_flags(CLI::App& kind, const std::string& things, const std::string& otherwise);
   void add_sigma(CLI::App& kind, const std::string& help);
+  void add_angular_sigma(CLI::App& kind, const std::string& help);
   void add_random(CLI::App& kind, const std::string& help);
   void add_mixture();
   void add_numbers();

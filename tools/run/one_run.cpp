@@ -20,17 +20,6 @@
 namespace beadswim {
 namespace {
 
-/// Throws InputError if the checkpoint is already at the end of the run. A layout of a stream begins again
-/// instead: the request then loses its checkpoint.
-void check_steps_left(const ModelPlan& plan, Request& request) {
-  const double cycles = plan.options.settings.cycles;
-  const long steps = plan.steps_in(cycles), done = request.steps_done;
-  if (done < steps) return;
-  if (request.name.empty()) require_steps_left(cycles, steps, done, plan.steps_per_cycle);
-  request.checkpoint.reset();
-  request.steps_done = 0;
-}
-
 void warn(const std::vector<RunWarning>& warnings) {
   for (const RunWarning& warning : warnings)
     print_to_stderr(fmt::format("{}: warning: {}\n", program_name, warning.message));
@@ -48,15 +37,21 @@ void announce(const ModelPlan& plan, const Request& request) {
   if (request.name.empty()) warn(plan.warnings);
 }
 
-void print_restart_flag(const Checkpoints& checkpoints) {
-  if (checkpoints.last().empty()) return;
-  print_to_stderr(
-      fmt::format("{}: the state is saved; continue with --restart {}\n", program_name, checkpoints.last()));
+/// Prints how the run can be continued from its last checkpoint.
+void print_restart_flag(const Checkpoints& checkpoints, const Request& request) {
+  const std::string &last = checkpoints.last(), &output = request.options.output;
+  if (last.empty()) return;
+  if (!request.name.empty())
+    return print_to_stderr(
+        fmt::format("{}: the state is saved; repeat the command to continue\n", program_name));
+  print_to_stderr(fmt::format("{}: the state is saved; continue with --restart {}\n", program_name,
+                              trajectory_of(last) == output ? last : last + " -o " + output));
 }
 
 /// Writes an index file with which ParaView opens the trajectory (XDMF). All results have been written
 /// before, so a failure is not fatal.
 void write_paraview_index(const std::string& path) {
+  if (!paraview_can_open(path)) return;  // a warning at the start says so
   try {
     write_xdmf(path);
   } catch (const std::exception& error) {
@@ -85,7 +80,7 @@ RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutD
     }
     return outcome;
   } catch (...) {  // not rethrown: destructors would wait for the other ranks
-    print_restart_flag(parts.checkpoints);
+    if (!request.checkpoint) print_restart_flag(parts.checkpoints, request);  // otherwise it is not readable
     abort_after_failure(program_name, failures);
   }
 }
@@ -115,10 +110,10 @@ RunOutcome run_layout(const LayoutDocument& document, Request& request, double s
   const std::unique_ptr<ModelPlan> planned = plan_for(document, request, communicator);
   const ModelPlan& plan = *planned;
   const RunOptions& options = plan.options;
-  check_steps_left(plan, request);
-  const long done = request.steps_done;
-  Progress progress(options.progress, done, plan.steps_in(options.settings.cycles),
-                    static_cast<double>(plan.steps_per_cycle), plan.updates_per_step, request.take_share);
+  const long done = request.steps_done, steps = plan.steps_in(options.settings.cycles);
+  require_end_after(options.settings.cycles, steps, done, plan.steps_per_cycle);
+  Progress progress(options.progress, done, steps, static_cast<double>(plan.steps_per_cycle),
+                    plan.updates_per_step, request.take_share);
   if (communicator.is_root()) announce(plan, request);
 
   const std::unique_ptr<Model> model = plan.make(request.continues_same_trajectory() ? done : 0);
@@ -141,7 +136,7 @@ RunOutcome run_layout(const LayoutDocument& document, Request& request, double s
   if (communicator.is_root() && request.name.empty()) {
     warn(warnings);
     if (outcome.status == RunStatus::stopped_time || outcome.status == RunStatus::stopped_signal)
-      print_restart_flag(checkpoints);
+      print_restart_flag(checkpoints, request);
   }
   return outcome;
 }

@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "beadswim/core/version.hpp"
+#include "beadswim/io/xdmf.hpp"
 #include "beadswim/plan/percent.hpp"
 #include "beadswim/plan/reason_against.hpp"
 #include "beadswim/scene/force_directions.hpp"
@@ -40,6 +42,26 @@ void add_expected_errors(ModelPlan& plan, const Layout& layout) {
            in_percent(std::max(error.arm_amplitudes[0], error.arm_amplitudes[1])))});
 }
 
+/// Adds a warning if swimmers complete no cycle until the last frame of the run.
+void warn_of_missing_cycles(ModelPlan& plan) {
+  const double cycle = static_cast<double>(plan.steps_per_cycle), roundoff = 1e-9;
+  const double frame = cycle / std::min<double>(plan.options.settings.frames_per_cycle, cycle);
+  const double steps = static_cast<double>(plan.steps_in(plan.options.settings.cycles));
+  int missing = 0;
+  double needed = 0;
+  for (const PlacedSwimmer& swimmer : plan.swimmers) {
+    const double end = frame * std::ceil(std::round(plan.periods[swimmer.type]) / frame - roundoff);
+    missing += end > steps + 0.5;
+    needed = std::max(needed, end);
+  }
+  if (missing == 0) return;
+  plan.warnings.push_back(
+      {"no-cycle",
+       fmt::format("the run is too short for a complete cycle of {} of {} swimmers, so it gives neither "
+                   "velocity nor stroke of them; run {:.6g} cycles or more",
+                   missing, plan.swimmers.size(), needed / cycle)});
+}
+
 }  // namespace
 
 std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Request& request,
@@ -52,6 +74,14 @@ std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Reques
                      plan->steps_per_cycle, plan->steps_per_cycle, frames)});
   if (const std::string warning = warning_of_fixed_forces(document.layout); !warning.empty())
     plan->warnings.push_back({"forces-fixed-in-box", warning});
+  if (!paraview_can_open(plan->options.output))
+    plan->warnings.push_back(
+        {"paraview-name",
+         fmt::format(
+             "ParaView will not open the results by the name {}: it needs ASCII characters without colon, "
+             "backslash and ~, and no space at the start; give another name with -o",
+             plan->options.output)});
+  warn_of_missing_cycles(*plan);
   if (communicator.is_root()) add_expected_errors(*plan, document.layout);
   return plan;
 }
@@ -72,7 +102,8 @@ TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan
       header.radius.push_back(plan.radii[swimmer.type][b]);
     }
   }
-  // Units that readers of molecular simulations know. They refuse files with other units, but not files without units.
+  // Units that readers of molecular simulations know. They refuse files with other units, but not files
+  // without units.
   if (const Units& units = document.layout.units;
       !units.lattice && units.length.name == "nm" && units.time.name == "ns") {
     header.length_unit = units.length.name;

@@ -8,6 +8,7 @@
 namespace beadswim {
 
 MpiSession::MpiSession(int* argc, char*** argv) {
+  hold_closed_streams();
   MPI_Init(argc, argv);
 }
 

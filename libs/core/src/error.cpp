@@ -1,6 +1,8 @@
 #include "beadswim/core/error.hpp"
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <new>
@@ -11,6 +13,12 @@ namespace beadswim {
 
 InputError::InputError(Setting setting, const std::string& what_and_remedy)
     : InputError(name_of(setting), what_and_remedy) {}
+
+void hold_closed_streams() {
+  for (const int stream :
+       {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})  // open() takes the lowest free number
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
 
 void print_to_stderr(const std::string& text) {
   std::fputs(text.c_str(), stderr);

@@ -6,35 +6,14 @@
 #include <array>
 #include <cmath>
 
+#include "beadswim/core/xml_text.hpp"
+
 namespace beadswim::svg {
 namespace {
 
 constexpr double marker_radius = 3.6;
 constexpr double head_length = 7, head_half_width = 2.6;  // size of arrow heads [px]
 constexpr double mean_glyph_width = 0.57;  // relative to the font size, for text in DejaVu Sans
-
-std::string escaped(const std::string& content) {
-  std::string result;
-  for (const char c : content) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 /// Formats a number with two decimals. Writes "0.00" instead of "-0.00".
 std::string number(double value) {
@@ -133,13 +112,13 @@ std::string rectangle(Point top_left, double width, double height, const Stroke&
 }
 
 std::string text(Point at, const std::string& content, const TextStyle& style) {
-  return text_element(at, escaped(content), style);
+  return text_element(at, xml_text(content), style);
 }
 
 std::string formula(Point at, const std::string& content, const TextStyle& style) {
   const double drop = 0.28 * style.size;
   std::size_t mark = content.find('_');
-  std::string markup = escaped(content.substr(0, mark));
+  std::string markup = xml_text(content.substr(0, mark));
   while (mark < content.size()) {
     const std::size_t next = content.find('_', mark + 1);
     const std::string rest = content.substr(mark + 1, next - mark - 1);
@@ -147,8 +126,8 @@ std::string formula(Point at, const std::string& content, const TextStyle& style
     const bool apart = rest.substr(1, 1) == " ";
     markup += fmt::format(
         "<tspan dy=\"{}\" font-size=\"{}\" stroke=\"none\">{}</tspan><tspan dx=\"{}\" dy=\"{}\">{}</tspan>",
-        number(drop), number(0.72 * style.size), escaped(rest.substr(0, 1)),
-        number(apart ? 0.32 * style.size : 0), number(-drop), escaped(rest.substr(apart ? 2 : 1)));
+        number(drop), number(0.72 * style.size), xml_text(rest.substr(0, 1)),
+        number(apart ? 0.32 * style.size : 0), number(-drop), xml_text(rest.substr(apart ? 2 : 1)));
     mark = next;
   }
   return text_element(at, markup, style);
@@ -193,7 +172,7 @@ std::string document(double width, double height, const std::string& title, cons
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "font-family=\"DejaVu Sans, sans-serif\" fill=\"#000000\">\n<title>{2}</title>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{3}</svg>\n",
-      number(width), number(height), escaped(title), elements);
+      number(width), number(height), xml_text(title), elements);
 }
 
 }  // namespace beadswim::svg

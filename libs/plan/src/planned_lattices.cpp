@@ -151,7 +151,7 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
     for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);
     const long steps_per_cycle = on_lattice.lattice.steps_per_period;
     const long steps = total_steps(settings.cycles, steps_per_cycle);
-    require_steps_left(settings.cycles, steps, request.steps_done, steps_per_cycle);
+    require_end_after(settings.cycles, steps, request.steps_done, steps_per_cycle);
     const double mach = mach_of(on_lattice, facts);
     const double roundoff = velocity_roundoff(on_lattice.scene, steps_per_cycle, steps);
     if (!speed) speed = request.lattice_speed();

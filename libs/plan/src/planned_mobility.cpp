@@ -119,7 +119,7 @@ void add_cost(PlannedRun& run, const OverdampedSetup& setup, long steps_done,
   const std::size_t beads = bead_radii(setup.scene).size();
   const double swimmers = static_cast<double>(beads) / 3;  // of three beads each
   const long all_steps = total_steps(run.settings.cycles, setup.steps_per_cycle);
-  require_steps_left(run.settings.cycles, all_steps, steps_done, setup.steps_per_cycle);
+  require_end_after(run.settings.cycles, all_steps, steps_done, setup.steps_per_cycle);
   const double steps = static_cast<double>(all_steps - steps_done);
   constexpr double max_measured_points = 1e5;
   const bool is_large = setup.scene.memory && mesh_points(setup.scene) > max_measured_points;

@@ -21,8 +21,8 @@ long total_steps(double cycles, long steps_per_cycle) {
   return std::max(1L, std::lround(steps));
 }
 
-void require_steps_left(double cycles, long steps, long steps_done, long steps_per_cycle) {
-  if (steps_done < steps) return;
+void require_end_after(double cycles, long steps, long steps_done, long steps_per_cycle) {
+  if (steps_done <= steps) return;
   throw InputError(
       Setting::cycles,
       fmt::format(

@@ -180,7 +180,7 @@ void check_angles(const std::string& place, const SwimmerType& type, Faults& fau
   }
 }
 
-/// Reports drives of beads, bonds and angles that do not exist, directions that are no unit vectors, and
+/// Reports drives of beads, bonds and angles that do not exist, directions of length zero, and
 /// forces that do not sum to zero.
 void check_driving(const std::string& place, const SwimmerType& type, Faults& faults) {
   const Driving& driving = type.driving;
@@ -196,7 +196,7 @@ void check_driving(const std::string& place, const SwimmerType& type, Faults& fa
     const double length = drive.direction.norm();
     if (std::abs(length - 1) > axis_tolerance)
       faults.push_back({fmt::format("{}/forces/{}/direction", place, n),
-                        fmt::format("the direction {} has the length {:.9g}, but must be a unit vector",
+                        fmt::format("the direction {} has the length {:.9g}; give a vector other than zero",
                                     in_words(drive.direction), length)});
   }
   for (std::size_t n = 0; n < driving.bonds.size(); ++n)

@@ -80,6 +80,15 @@ CLI::Validator angle() {
   return CLI::Validator(fault, "");
 }
 
+CLI::Validator non_negative_angle() {
+  const auto fault = [](const std::string& text) {
+    const std::string why = angle()(text);
+    return why.empty() && parse_angle(text) < 0 ? fmt::format("\"{}\": the angle must be 0 or greater", text)
+                                                : why;
+  };
+  return CLI::Validator(fault, "");
+}
+
 CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
   const auto fault = [low, high](const std::string& text) {
     std::int64_t value = 0;

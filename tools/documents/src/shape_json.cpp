@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
@@ -49,9 +50,17 @@ Json json_of(const std::vector<Harmonic>& harmonics) {
   return json;
 }
 
+/// Returns the unit vector along a vector of any finite length. Zero and unit vectors stay as they are.
+Vec3 unit_vector(const Vec3& vector) {
+  constexpr double roundoff = 1e-15;  // of the norm of a unit vector
+  const double largest = vector.cwiseAbs().maxCoeff();
+  if (largest == 0 || std::abs(vector.norm() - 1) <= roundoff) return vector;
+  return (vector / largest).normalized();  // the squares of the vector itself could underflow or overflow
+}
+
 ForceDrive force_from(const Json& json) {
   return {.bead = json["bead"].get<int>() - 1,
-          .direction = json["direction"].get<Vec3>(),
+          .direction = unit_vector(json["direction"].get<Vec3>()),
           .constant = json.value("constant", 0.0),
           .harmonics = harmonics_from(list(json, "harmonics"))};
 }

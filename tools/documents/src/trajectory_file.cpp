@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -117,6 +118,11 @@ bool is_trajectory(const std::string& path) {
 
 TrajectoryFile open_trajectory(const std::string& path) {
   TrajectoryReader reader(path);
+  if (reader.has_incomplete_frame())
+    print_to_stderr(
+        fmt::format("{}: {}: the last frame is incomplete and is left out; the run is still writing it, or "
+                    "it was killed or the disk was full\n",
+                    program_invocation_short_name, path));
   Layout layout = layout_of(reader, path);
   std::vector<std::size_t> in_layout = indices_in(layout, reader, path);
   return {.source = path,

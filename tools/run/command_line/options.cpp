@@ -1,6 +1,10 @@
 #include "command_line/options.hpp"
 
 #include <fmt/core.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstring>
 
 #include "beadswim/tools/named_flags.hpp"
 
@@ -235,6 +239,15 @@ void apply_former_tolerance(RunOptions& options) {
   options.given.insert("--sum-tolerance");
 }
 
+/// Throws InputError if the names of the files that the run writes beside the trajectory would be too long.
+void require_short_name(const std::string& output) {
+  const std::string longest = output + ".flow.pvd.tmp4194304";  // the number of a process
+  struct stat status {};
+  if (stat(longest.c_str(), &status) != 0 && errno == ENAMETOOLONG)
+    throw InputError("--output", fmt::format("the file {} cannot be created: {}; give a shorter name",
+                                             longest, std::strerror(errno)));
+}
+
 }  // namespace
 
 std::variant<RunOptions, int> parse_run_options(int argc, const char* const* argv,
@@ -268,6 +281,7 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   }
   if (options.output.empty() && options.restart.empty() && !options.plan)
     throw InputError("--output", "the flag is missing; name the trajectory to write with -o FILE.h5md");
+  require_short_name(options.output);
   const bool is_model_given = options.given.contains("--model") || defaults.contains("--model");
   if (!is_model_given && (options.plan || options.tolerance)) options.settings.model = RunModel::automatic;
   if (options.settings.model == RunModel::automatic && is_model_given && !options.restart.empty())

@@ -2,9 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <unordered_map>
 
 #include "beadswim/core/error.hpp"
@@ -28,9 +30,13 @@ std::vector<float> interleaved(const std::vector<double>& plane, int components)
 
 }  // namespace
 
-FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scales, long interval, long done,
-                       int levels, const Communicator& communicator)
-    : stem_(trajectory + ".flow"), scales_(scales), levels_(levels), communicator_(communicator) {
+FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scales, long done, int levels,
+                       const Communicator& communicator)
+    : stem_(trajectory + ".flow"),
+      scales_(scales),
+      done_(done),
+      levels_(levels),
+      communicator_(communicator) {
   std::error_code failure;
   if (communicator_.is_root()) std::filesystem::create_directories(stem_, failure);
   int reason = failure.value();
@@ -42,12 +48,22 @@ FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scale
                     std::strerror(reason)));
   }
   if (done > 0 && communicator_.is_root()) remove_after(done);
-  for (long step = interval; step <= done; step += interval) {
-    for (const PvdEntry& entry : entries_of(step)) {
-      if (std::filesystem::exists(std::filesystem::path(stem_).parent_path() / entry.file))
-        entries_.push_back(entry);
-    }
-  }
+}
+
+void FlowOutput::restore(const std::vector<long>& steps) {
+  const std::filesystem::path folder = std::filesystem::path(stem_).parent_path();
+  const auto exists = [&](const PvdEntry& entry) { return std::filesystem::exists(folder / entry.file); };
+  if (done_ == 0) return;
+  std::ranges::copy_if(steps, std::back_inserter(steps_),
+                       [&](long step) { return std::ranges::all_of(entries_of(step), exists); });
+  write_index();
+}
+
+void FlowOutput::write_index() const {
+  if (!communicator_.is_root()) return;
+  std::vector<PvdEntry> entries;
+  for (const long step : steps_) std::ranges::copy(entries_of(step), std::back_inserter(entries));
+  write_pvd(stem_ + ".pvd", entries);
 }
 
 void FlowOutput::remove_after(long done) const {
@@ -76,12 +92,11 @@ std::vector<PvdEntry> FlowOutput::entries_of(long step) const {
 }
 
 void FlowOutput::write(const CoupledSystem& system) {
-  const std::vector<PvdEntry> entries = entries_of(system.steps_done());
-  for (const PvdEntry& entry : entries) {
-    write_level(system, entry.part, std::filesystem::path(stem_).parent_path() / entry.file);
-    if (communicator_.is_root()) entries_.push_back(entry);
-  }
-  if (communicator_.is_root()) write_pvd(stem_ + ".pvd", entries_);
+  const std::filesystem::path folder = std::filesystem::path(stem_).parent_path();
+  steps_.push_back(system.steps_done());
+  for (const PvdEntry& entry : entries_of(steps_.back()))
+    write_level(system, entry.part, folder / entry.file);
+  write_index();
 }
 
 void FlowOutput::write_level(const CoupledSystem& system, int number, const std::string& file) {

@@ -15,12 +15,15 @@ namespace beadswim {
 /// level are hidden.
 class FlowOutput {
  public:
-  /// Creates the folder for the files. `interval`: number of time steps between two flow fields. `done`: last
-  /// step of the earlier run that this run continues, or 0. Flow fields of the earlier run until this step
-  /// stay in the list of files. `levels`: number of levels of cells. Throws InputError if the folder cannot
-  /// be created.
-  FlowOutput(const std::string& trajectory, const LatticeScales& scales, long interval, long done, int levels,
+  /// Creates the folder for the files. `done`: last step of the earlier run that this run continues, or 0;
+  /// removes flow fields of later steps. `levels`: number of levels of cells. Throws InputError if the folder
+  /// cannot be created.
+  FlowOutput(const std::string& trajectory, const LatticeScales& scales, long done, int levels,
              const Communicator& communicator);
+
+  const std::vector<long>& steps() const { return steps_; }  ///< steps whose flow fields are listed
+  /// Lists the flow fields that the earlier run has written at these steps, before those of this run.
+  void restore(const std::vector<long>& steps);
 
   /// Writes velocity, pressure and bead for each cell: the pressure is relative to the fluid at rest, and the
   /// bead is the number of the bead that covers the cell (0: none). Collective.
@@ -29,14 +32,16 @@ class FlowOutput {
  private:
   /// Returns the files of a step.
   std::vector<PvdEntry> entries_of(long step) const;
+  void write_index() const;  ///< lists the files, on rank 0
   void write_level(const CoupledSystem& system, int number, const std::string& file);
   void remove_after(long done) const;  ///< removes flow fields of later steps, which this run rewrites
 
   std::string stem_;
   LatticeScales scales_;
+  long done_;
   int levels_;
   const Communicator& communicator_;
-  std::vector<PvdEntry> entries_;
+  std::vector<long> steps_;
 };
 
 }  // namespace beadswim

@@ -42,8 +42,7 @@ std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator
 
 std::optional<FlowOutput> flow_output(const LatticePlan& plan, long flow_until) {
   if (!plan.options.settings.flow_every) return std::nullopt;
-  return FlowOutput(plan.options.output, plan.on_lattice.lattice.scales,
-                    plan.steps_between_outputs(*plan.options.settings.flow_every), flow_until,
+  return FlowOutput(plan.options.output, plan.on_lattice.lattice.scales, flow_until,
                     static_cast<int>(plan.on_lattice.scene.all_levels().size()), plan.communicator);
 }
 
@@ -197,7 +196,7 @@ std::vector<RunWarning> LatticeModel::warnings() const {
 }
 
 void LatticeModel::write_history(OutgoingMessage& history) const {
-  history(system_->progress(), first_totals_);
+  history(system_->progress(), first_totals_, flow_ ? flow_->steps() : std::vector<long>{});
   if (on_lattice_.scene.levels.empty()) return;
   std::vector<std::array<int, 6>> levels;
   for (const Block& level : system_->scene().levels) levels.push_back(level.numbers());
@@ -210,7 +209,9 @@ void LatticeModel::write_state(CheckpointWriter& checkpoint) {
 
 void LatticeModel::restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) {
   SystemProgress progress{.steps_done = steps_done};
-  history(progress, first_totals_);
+  std::vector<long> flow_steps;
+  history(progress, first_totals_, flow_steps);
+  if (flow_) flow_->restore(flow_steps);
   if (!on_lattice_.scene.levels.empty()) {
     std::vector<std::array<int, 6>> levels;
     history(levels);

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
@@ -30,6 +31,9 @@ std::string creation_fault(const std::string& path, int& part) {
   if (path == "-" || path.ends_with('/')) return fmt::format("\"{}\" is not the name of a file", path);
   if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode))
     return fmt::format("the path {} exists and is not a regular file", path);
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(link_target(path), ignored))
+    return fmt::format("the file {} cannot be created: {}", path, std::strerror(ELOOP));
   part = open(part_name(path).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (part < 0)
     return fmt::format("the file {} cannot be created: {}", part_name(path), std::strerror(errno));
@@ -83,8 +87,10 @@ WrappedPositions wrap(const std::vector<Vec3>& positions, const std::optional<Bo
   for (const Vec3& position : positions) {
     const Vec3 image = box ? image_number(position, *box) : Vec3::Zero(), inside = wrapped(position, box);
     for (int a = 0; a < 3; ++a) {
-      result.image.push_back(static_cast<int>(image[a]));
-      result.position.push_back(static_cast<float>(inside[a]));
+      const float rounded = static_cast<float>(inside[a]);
+      const bool is_at_edge = box && box->is_periodic(a) && rounded >= box->lengths[a];  // by the rounding
+      result.image.push_back(static_cast<int>(image[a]) + (is_at_edge ? 1 : 0));
+      result.position.push_back(is_at_edge ? 0 : rounded);
     }
   }
   return result;
@@ -260,6 +266,13 @@ void TrajectoryWriter::append_row(const std::string& name, const void* data) {
   ++series.rows;
 }
 
+void TrajectoryWriter::append_sample(const Sampling& sampling, std::int64_t step, double time) {
+  flush();  // if the disk is full, step and time remain without the row that they would make complete
+  append_row(sampling.step_name, &step);
+  append_row(sampling.time_name, &time);
+  flush();
+}
+
 void TrajectoryWriter::flush() const {
   require_written(H5Fflush(file_, H5F_SCOPE_GLOBAL));
 }
@@ -274,25 +287,21 @@ void TrajectoryWriter::append(const TrajectoryFrame& frame) {
     const WrappedPositions wrapped = wrap(frame.positions, box_);
     const std::vector<float> velocities = flattened(frame.velocities);
     const Eigen::Matrix3d edges = (box_ ? box_->lengths : Vec3::Zero()).asDiagonal();
-    append_row(frames_.step_name, &frame.step);
-    append_row(frames_.time_name, &frame.time);
     append_row("particles/beads/box/edges/value", edges.data());
     append_row("particles/beads/position/value", wrapped.position.data());
     append_row("particles/beads/image/value", wrapped.image.data());
     append_row("particles/beads/velocity/value", velocities.data());
     append_row("observables/mean_flow/value", frame.mean_flow.data());
     append_row("observables/momentum/value", frame.momentum.data());
-    flush();
+    append_sample(frames_, frame.step, frame.time);
   });
 }
 
 void TrajectoryWriter::append(const TrajectoryCycle& cycle) {
   run_on_root([&] {
-    append_row(cycles_.step_name, &cycle.step);
-    append_row(cycles_.time_name, &cycle.time);
     for (const Column& column : cycle.columns)
       append_row(swimmers_group + column.name + "/value", column.numbers.data());
-    flush();
+    append_sample(cycles_, cycle.step, cycle.time);
   });
 }
 

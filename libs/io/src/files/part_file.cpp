@@ -22,14 +22,22 @@ int sync(const std::string& path, int flags) {
 
 }  // namespace
 
+std::filesystem::path link_target(std::filesystem::path path) {
+  constexpr int max_links = 40;  // as in Linux
+  std::error_code ignored;
+  for (int n = 0; n < max_links && std::filesystem::is_symlink(path, ignored); ++n)
+    path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
+  return path;
+}
+
 std::string part_name(const std::string& path) {
-  return path + ".part";
+  return link_target(path).string() + ".part";
 }
 
 int name_finished_file(const std::string& path) {
   if (const int reason = sync(part_name(path), O_RDONLY)) return reason;
-  if (std::rename(part_name(path).c_str(), path.c_str()) != 0) return errno;
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const std::filesystem::path target = link_target(path), folder = target.parent_path();
+  if (std::rename(part_name(path).c_str(), target.c_str()) != 0) return errno;
   return sync(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
 }
 

@@ -1,10 +1,16 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
-// A file is named PATH.part until it is complete.
+// A file is named PATH.part until it is complete. If PATH is a symbolic link, both names are those of its
+// target.
 
 namespace beadswim {
+
+/// Returns the file at the end of a chain of symbolic links; it need not exist. Returns a path that is no
+/// link unchanged. The last link remains if there are more than 40.
+std::filesystem::path link_target(std::filesystem::path path);
 
 std::string part_name(const std::string& path);
 

@@ -13,6 +13,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/io/json.hpp"
+#include "part_file.hpp"
 
 namespace beadswim {
 namespace {
@@ -97,15 +98,6 @@ void write_stdout(const std::string& text) {
   }
 }
 
-/// Returns the target of a symbolic link. The target need not exist.
-fs::path link_target(const std::string& link) {
-  std::error_code loop;
-  const fs::path target = fs::weakly_canonical(link, loop);
-  if (loop)
-    throw InputError(link, fmt::format("the file cannot be created: {}; name another file", loop.message()));
-  return target;
-}
-
 void write_in_place(const fs::path& target, const std::string& text) {
   const Descriptor file(target, O_WRONLY);
   if (!file.is_open()) throw cannot_be_created(target);
@@ -150,15 +142,17 @@ std::string read_text(const std::string& path) {
 
 void write_text(const std::string& path, const std::string& text) {
   if (path == "-") return write_stdout(text);
-  std::error_code ignored;
-  // A symbolic link is resolved, so that its target is replaced and not the link.
-  const fs::path target = fs::is_symlink(path, ignored) ? link_target(path) : fs::path(path);
-  // A pipe or device has no earlier contents to preserve, and must not be replaced by a regular file.
-  const fs::file_status status = fs::status(target, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
-    return write_in_place(target, text);
+  std::error_code fault;
+  const fs::file_status status = fs::status(path, fault);
+  if (fault == std::errc::too_many_symbolic_link_levels) {
+    errno = fault.value();
+    throw cannot_be_created(path);
   }
-  replace_file(target, text);
+  // A pipe or device has no earlier contents to preserve, and must not be replaced by a regular file.
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+    return write_in_place(path, text);
+  }
+  replace_file(link_target(path), text);
 }
 
 }  // namespace beadswim

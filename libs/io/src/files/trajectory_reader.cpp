@@ -170,6 +170,15 @@ TrajectoryReader::TrajectoryReader(const std::string& path)
     throw_content_error(path, fmt::format("the trajectory has {} beads; this number must be between 1 and {}",
                                           beads_, max_beads));
   read_header();
+  if (frames_ > 1 && !is_last_frame_written()) --frames_;
+}
+
+bool TrajectoryReader::is_last_frame_written() const {
+  const std::vector<double> time = read_raw_rows<double>(time_, frames_ - 2, 2),
+                            edges = read_raw_rows<double>(edges_, frames_ - 2, 2);
+  const auto middle = edges.begin() + std::ssize(edges) / 2;
+  return !(time[1] <= time[0]) && (std::equal(edges.begin(), middle, middle) ||
+                                   std::any_of(middle, edges.end(), [](double edge) { return edge != 0; }));
 }
 
 TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
@@ -190,8 +199,9 @@ TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
 
 TrajectoryReader::Table TrajectoryReader::open_series(const std::string& name, std::vector<hsize_t> row) {
   Table table = open_table(name, std::move(row));
-  frames_ =
-      std::min<std::size_t>(frames_, table.extents[0]);  // a killed run may have extended only some series
+  // A run that was killed, or that the disk had no room for, may have extended only some series.
+  frames_ = std::min<std::size_t>(frames_, table.extents[0]);
+  begun_frames_ = std::max<std::size_t>(begun_frames_, table.extents[0]);
   return table;
 }
 
@@ -363,6 +373,9 @@ std::vector<TrajectoryCycle> TrajectoryReader::cycles(const std::vector<Column>&
     tables.push_back(open_table("swimmers/" + column.name + "/value", row));
     count = std::min(count, tables.back().extents[0]);  // a killed run may have extended only some tables
   }
+  const auto time_of = [&](hsize_t c) { return read_rows<double>(time, c, 1)[0]; };
+  if (count > 0 && time_of(count - 1) <= (count > 1 ? time_of(count - 2) : 0))
+    --count;  // extended, not written
   for (hsize_t c = 0; c < count; ++c) {
     TrajectoryCycle& cycle =
         cycles.emplace_back(TrajectoryCycle{.step = read_rows<std::int64_t>(step, c, 1)[0],

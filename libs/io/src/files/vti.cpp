@@ -11,6 +11,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/temporary_file.hpp"
+#include "beadswim/core/xml_text.hpp"
 #include "beadswim/io/base64.hpp"
 #include "beadswim/io/json.hpp"
 
@@ -78,7 +79,7 @@ void write_pvd(const std::string& path, const std::vector<PvdEntry>& entries) {
       "  <Collection>\n";
   for (const PvdEntry& entry : entries) {
     text += fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", entry.time, entry.part,
-                        entry.file);
+                        xml_text(entry.file));
   }
   text += "  </Collection>\n</VTKFile>\n";
   write_text(path, text);

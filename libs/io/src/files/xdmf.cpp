@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
+#include "beadswim/core/xml_text.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/io/trajectory_reader.hpp"
 
@@ -14,62 +17,49 @@ constexpr const char* int32_type = "NumberType=\"Int\" Precision=\"4\"";
 constexpr const char* float32_type = "NumberType=\"Float\" Precision=\"4\"";
 constexpr const char* float64_type = "NumberType=\"Float\" Precision=\"8\"";
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
+/// Returns an XDMF data item that refers to a dataset of the trajectory. `extents`: numbers of rows and
+/// columns.
+std::string dataset(const std::string& extents, const char* type, const std::string& path) {
+  return fmt::format("<DataItem Dimensions=\"{}\" {} Format=\"HDF\">{}</DataItem>\n", extents, type, path);
 }
 
-/// File name and size of a trajectory. The name has no folder, so that trajectory and index can be moved
-/// together.
-struct TrajectorySource {
-  std::string file;
-  std::size_t frames = 0, beads = 0;
-};
+/// Returns the part of a frame that is the same in all frames. The datasets of the domain are numbered
+/// from 1.
+std::string fixed_part(std::size_t beads) {
+  std::string text = fmt::format("<Topology TopologyType='Polyvertex' NumberOfElements='{}'/>", beads);
+  for (const auto& [name, number] : {std::pair{"radius", 4}, {"species", 5}, {"swimmer", 6}})
+    text += fmt::format(
+        "<Attribute Name='{}' AttributeType='Scalar'><DataItem "
+        "Reference='/Xdmf/Domain/DataItem[{}]'/></Attribute>",
+        name, number);
+  return text;
+}
 
-/// Returns an XDMF attribute with one number per bead that does not depend on time.
-std::string static_attribute(const TrajectorySource& in, const std::string& name, const char* type) {
+/// Returns the declaration of what all frames share, so that each frame takes only some 400 bytes: default
+/// values of attributes; `fixed`, the part of a frame that is the same in all frames; the datasets with one
+/// row per frame; and `one`, which after the number of a frame selects its row.
+std::string declarations(std::size_t beads) {
+  std::string text = fmt::format(
+      "<!DOCTYPE Xdmf [\n<!ATTLIST DataItem Dimensions CDATA \"{0} 3\">\n"
+      "<!ATTLIST Attribute AttributeType CDATA \"Vector\" Center CDATA \"Node\">\n"
+      "<!ENTITY fixed \"{1}\">\n<!ENTITY one \" 0 0 1 1 1 1 {0} 3\">\n",
+      beads, fixed_part(beads));
+  for (const auto& [name, number] : {std::pair{"position", 1}, {"velocity", 2}, {"image", 3}})
+    text += fmt::format("<!ENTITY {} \"<DataItem Reference='/Xdmf/Domain/DataItem[{}]'/>\">\n", name, number);
+  return text + "]>\n";
+}
+
+std::string row(std::size_t frame, const char* quantity) {
   return fmt::format(
-      "<Attribute Name=\"{0}\" AttributeType=\"Scalar\" Center=\"Node\">"
-      "<DataItem Dimensions=\"{1}\" {2} Format=\"HDF\">{3}:/particles/beads/{0}</DataItem></Attribute>\n",
-      name, in.beads, type, in.file);
+      "<DataItem ItemType=\"HyperSlab\"><DataItem Dimensions=\"3 3\">{}&one;</DataItem>&{};</DataItem>",
+      frame, quantity);
 }
 
-/// Returns an XDMF data item that refers to one frame of a dataset with three numbers per bead.
-std::string frame_slab(const TrajectorySource& in, const std::string& name, const char* type,
-                       std::size_t frame) {
+std::string grid(std::size_t frame) {
   return fmt::format(
-      "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{0} 3\">"
-      "<DataItem Dimensions=\"3 3\" Format=\"XML\">{1} 0 0 1 1 1 1 {0} 3</DataItem>"
-      "<DataItem Dimensions=\"{2} {0} 3\" {3} Format=\"HDF\">{4}:/particles/beads/{5}/value</DataItem>"
-      "</DataItem>",
-      in.beads, frame, in.frames, type, in.file, name);
-}
-
-std::string vector_attribute(const TrajectorySource& in, const std::string& name, const char* type,
-                             std::size_t frame) {
-  return fmt::format("<Attribute Name=\"{}\" AttributeType=\"Vector\" Center=\"Node\">{}</Attribute>\n", name,
-                     frame_slab(in, name, type, frame));
-}
-
-std::string grid(const TrajectorySource& in, std::size_t frame, double time) {
-  return fmt::format(
-             "<Grid Name=\"beads\"><Time Value=\"{}\"/>"
-             "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\"/>\n"
-             "<Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
-             time, in.beads, frame_slab(in, "position", float32_type, frame)) +
-         vector_attribute(in, "velocity", float32_type, frame) +
-         vector_attribute(in, "image", int32_type, frame) + static_attribute(in, "radius", float64_type) +
-         static_attribute(in, "species", int32_type) + static_attribute(in, "swimmer", int32_type) +
-         "</Grid>\n";
+      "<Grid Name=\"beads\">&fixed;<Geometry>{}</Geometry><Attribute Name=\"velocity\">{}</Attribute>"
+      "<Attribute Name=\"image\">{}</Attribute></Grid>\n",
+      row(frame, "position"), row(frame, "velocity"), row(frame, "image"));
 }
 
 }  // namespace
@@ -78,16 +68,30 @@ std::string xdmf_name(const std::string& trajectory) {
   return trajectory + ".xdmf2";
 }
 
+bool paraview_can_open(const std::string& path) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  const auto is_readable = [](char c) { return c >= ' ' && c <= '}' && c != ':' && c != '\\'; };
+  return !name.starts_with(' ') && std::ranges::all_of(name, is_readable);
+}
+
 void write_xdmf(const std::string& trajectory) {
   const TrajectoryReader reader(trajectory);
-  const TrajectorySource source{.file = escaped(std::filesystem::path(trajectory).filename().string()),
-                                .frames = reader.frames(),
-                                .beads = reader.header().bead.size()};
-  const std::vector<double> times = reader.times();
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\"><Domain>\n"
-      "<Grid Name=\"trajectory\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  for (std::size_t frame = 0; frame < source.frames; ++frame) text += grid(source, frame, times[frame]);
+  const std::size_t frames = reader.frames(), beads = reader.header().bead.size();
+  // The name has no folder, so that trajectory and index can be moved together.
+  const std::string data =
+      xml_text(std::filesystem::path(trajectory).filename().string()) + ":/particles/beads/";
+  std::string text = "<?xml version=\"1.0\"?>\n" + declarations(beads) + "<Xdmf Version=\"2.0\"><Domain>\n";
+  for (const auto& [name, type] :
+       {std::pair{"position", float32_type}, {"velocity", float32_type}, {"image", int32_type}})
+    text += dataset(fmt::format("{} {} 3", frames, beads), type, fmt::format("{}{}/value", data, name));
+  for (const auto& [name, type] :
+       {std::pair{"radius", float64_type}, {"species", int32_type}, {"swimmer", int32_type}})
+    text += dataset(fmt::format("{}", beads), type, data + name);
+  text +=
+      "<Grid Name=\"trajectory\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
+      "<Time TimeType=\"List\">" +
+      dataset(fmt::format("{}", frames), float64_type, data + "position/time") + "</Time>\n";
+  for (std::size_t frame = 0; frame < frames; ++frame) text += grid(frame);
   write_text(xdmf_name(trajectory), text + "</Grid>\n</Domain></Xdmf>\n");
 }
 

@@ -140,6 +140,19 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   std::vector<std::unordered_set<std::string>> keys_;  ///< keys of each open object, for a fast search
 };
 
+/// Throws InputError if the text contains a NUL character, where the parser would stop without an error, or
+/// begins as UTF-16 or UTF-32 does.
+void require_no_nul(const std::string& text, const std::string& source) {
+  const bool has_mark = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+  const std::size_t nul = has_mark ? 0 : text.find('\0');
+  if (nul == std::string::npos) return;
+  throw InputError(
+      source, line_and_column(text, nul + 1) +
+                  (nul < 2 ? ": the text is not UTF-8, but probably UTF-16; convert it, for example with "
+                             "iconv -f UTF-16 -t UTF-8"
+                           : ": the text contains a NUL character; is the file damaged?"));
+}
+
 }  // namespace
 
 Json parse_json(const std::string& text, const std::string& source) {
@@ -148,6 +161,7 @@ Json parse_json(const std::string& text, const std::string& source) {
                      "the file is an HDF5 file, like a trajectory; give a JSON document: layout, run record "
                      "or prediction");
   }
+  require_no_nul(text, source);
   DocumentBuilder builder(text, source);
   Json::sax_parse(text, &builder);
   return builder.take();

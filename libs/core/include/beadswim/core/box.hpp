@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -62,19 +63,26 @@ struct Domain {
 };
 
 /// Returns, for each periodic axis, the number of the periodic copy of the box that contains the position:
-/// the coordinate divided by the box length, rounded down. Returns 0 for each other axis.
+/// the coordinate divided by the box length, rounded down, or one more where rounding would put the wrapped
+/// coordinate on the upper end of the box. Returns 0 for each other axis.
 inline Vec3 image_number(const Vec3& position, const Box& box) {
   Vec3 image = Vec3::Zero();
-  for (int a = 0; a < 3; ++a)
-    if (box.is_periodic(a)) image[a] = std::floor(position[a] / box.lengths[a]);
+  for (int a = 0; a < 3; ++a) {
+    if (!box.is_periodic(a)) continue;
+    image[a] = std::floor(position[a] / box.lengths[a]);
+    if (position[a] - box.lengths[a] * image[a] >= box.lengths[a]) ++image[a];
+  }
   return image;
 }
 
-/// Returns the position with its periodic coordinates wrapped into the box: multiples of the box lengths are
-/// subtracted. Coordinates along other axes are unchanged. In open space (no box), all coordinates are
-/// unchanged.
-inline Vec3 wrapped(const Vec3& position, const std::optional<Box>& box) {
-  return box ? Vec3(position - box->lengths.cwiseProduct(image_number(position, *box))) : position;
+/// Returns the position with its periodic coordinates wrapped into the box, from 0 to below the box length:
+/// multiples of the box lengths are subtracted. Coordinates along other axes are unchanged. In open space (no
+/// box), all coordinates are unchanged.
+inline Vec3 wrapped(Vec3 position, const std::optional<Box>& box) {
+  const Vec3 image = box ? image_number(position, *box) : Vec3::Zero();
+  for (int a = 0; a < 3 && box; ++a)
+    if (box->is_periodic(a)) position[a] = std::max(position[a] - box->lengths[a] * image[a], 0.0);
+  return position;
 }
 
 /// Returns the vector from `from` to the nearest periodic image of `to`; in open space, to `to` itself

@@ -50,6 +50,10 @@ class StoppedEarly : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Opens each standard stream that is closed so that its use fails. Otherwise the next file or socket would
+/// take its number, and swallow what the program prints. Each program calls this function first.
+void hold_closed_streams();
+
 /// Writes text to stderr. Ignores write errors, because a closed or full stderr must not end a run.
 void print_to_stderr(const std::string& text);
 

@@ -15,6 +15,8 @@ class TrajectoryReader {
 
   const TrajectoryHeader& header() const { return header_; }
   std::size_t frames() const { return frames_; }
+  /// Returns true if the run ended while it wrote a further frame, which is left out.
+  bool has_incomplete_frame() const { return begun_frames_ > frames_; }
 
   /// Returns the times of all frames [time].
   std::vector<double> times() const;
@@ -48,12 +50,14 @@ class TrajectoryReader {
   std::map<std::string, std::string> texts(const std::string& group) const;
   std::array<Boundary, 3> boundary() const;
   std::optional<Box> box(std::size_t frame) const;
+  /// Returns false if the file has room for the last frame but not its numbers, as after a full disk.
+  bool is_last_frame_written() const;
   void read_header();
   void require_complete_swimmers() const;
 
   std::string path_;
   H5Handle file_;
-  std::size_t frames_;
+  std::size_t frames_, begun_frames_ = 0;
   std::size_t beads_;
   Table step_, time_, edges_, position_, image_, velocity_, mean_flow_, momentum_;
   std::array<Boundary, 3> boundary_;

@@ -12,6 +12,10 @@ namespace beadswim {
 /// cannot do this.
 std::string xdmf_name(const std::string& trajectory);
 
+/// Returns true if ParaView opens files whose names begin with the name of this file. Its readers of indices
+/// fail for others: those that are not ASCII, contain a colon, a backslash or ~, or begin with a space.
+bool paraview_can_open(const std::string& path);
+
 /// Writes the XDMF index of a finished trajectory to the trajectory's folder, completely or not at all. The
 /// index contains, for each frame, the time, the beads as points, and the radius, species, swimmer, velocity
 /// and image of each bead. Must be called on one rank only. Throws InputError if the trajectory is invalid or

@@ -39,6 +39,7 @@ void set_footer(CLI::App& command, const std::vector<std::string>& examples, con
 /// main() consists of this call.
 template <typename Run>
 int guarded_main(const char* name, const Run& run) {
+  hold_closed_streams();
   try {
     return run();
   } catch (...) {
@@ -60,6 +61,7 @@ CLI::Validator finite_non_negative();
 CLI::Validator number_between(double low, double high);
 CLI::Validator fraction();  ///< above 0 and below 1
 CLI::Validator angle();     ///< a finite number of radians, or of degrees with the ending deg, such as 90deg
+CLI::Validator non_negative_angle();
 CLI::Validator whole_number(std::int64_t low, std::int64_t high);
 CLI::Validator whole_positive();     ///< from 1 to 10^6
 CLI::Validator product_tolerance();  ///< relative error of mobility products, from 1e-12 to 1e-2
