@@ -52,7 +52,7 @@ test("loads without faults, and asks for nothing", async () => {
   assert.deepEqual(faults, []);
   assert.deepEqual(requests, [addressOf("swarm.html")]);
   assert.match(await page.title(), /^swarm\.h5md/);
-  assert.match(await page.textContent("#facts"), /^4 swimmers, box 96 × 64 × 64 lattice units, period 2000, 41 frames over 1 cycles$/);
+  assert.match(await page.textContent("#facts"), /^4 swimmers, box 96 × 64 × 64 lattice units, period 2000, 41 frames over 1 cycle$/);
   await page.close();
 });
 
@@ -118,7 +118,7 @@ test("picks the swimmer under the pointer, and lets it go", async () => {
   const seen = await picture(page), middle = patches(seen, blue)[1];
   assert.equal(patches(seen, rim, 5).length, 0);
   await page.locator("#canvas").click({ position: { x: middle.x, y: middle.y } });
-  assert.equal(await page.textContent("#picked"), "Swimmer 7, block 0");
+  assert.equal(await page.textContent("#picked"), "Swimmer 7");
   assert.equal(await page.inputValue("#swimmer"), "7");
   const titles = await page.locator(".u-title").allTextContents();
   assert.deepEqual(titles.map((title) => title.split(" (")[0]), ["Stroke: arm lengths", "Displacement", "Turning",
@@ -273,6 +273,33 @@ test("colours are of the cycle that is shown, up to its end", async () => {
   await page.close();
 });
 
+test("draws the picture in its new size before it is seen", async () => {
+  const { page } = await opened("alone.html");
+  const [drawn, seen] = await page.evaluate(() => new Promise((done) => {
+    const canvas = document.getElementById("canvas");
+    let calls = 0;
+    new ResizeObserver(() => { // is called after the observer of the page, and before the browser shows the picture
+      if (++calls === 1) document.getElementById("stage").style.height = "200px";
+      else done([canvas.width / canvas.height, canvas.clientWidth / canvas.clientHeight]);
+    }).observe(canvas);
+  }));
+  close(drawn, seen, 0.01, "width over height");
+  await page.close();
+});
+
+test("plots of one cycle have a tick that says what its value is", async () => {
+  const { page } = await opened("outside.html");
+  const labels = await page.evaluate(() => {
+    const texts = [], { fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) { texts.push(text); return fillText.call(this, text, ...rest); };
+    document.querySelector("#swimmer").dispatchEvent(new Event("change"));
+    return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(texts))));
+  });
+  const velocity = record("outside.json").swimmers[0].cycles[0].speed_along_axis;
+  assert.ok(labels.map(Number).some((tick) => tick !== 0 && Math.abs(tick / velocity - 1) < 0.2), `${velocity}: ${labels}`);
+  await page.close();
+});
+
 test("fits a narrow screen", async () => {
   const { page } = await opened("swarm.html", { viewport: { width: 360, height: 740 } });
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
@@ -330,14 +357,14 @@ test("saves the picture and the numbers", async () => {
 });
 
 test("labels of ticks are true to their values", async () => {
-  const ticks = [[0, 2.5e-4, 5e-4], [0, 0.25, 0.5, 0.75], [0, 10, 20], [100000.5, 100001, 100001.5], [-2e-5, 0, 2e-5]];
+  const ticks = [[0, 2.5e-4, 5e-4], [0, 0.25, 0.5, 0.75], [0, 10, 20], [100000.5, 100001, 100001.5], [-2e-5, 0, 2e-5], [1.4e-4], [0]];
   const { build } = createRequire(modules + "/")("esbuild");
   const bundled = await build({ entryPoints: [`${modules}/src/ticks.ts`], bundle: true, write: false, format: "cjs" });
   const made = { exports: {} };
   new Function("module", bundled.outputFiles[0].text)(made);
   const labels = ticks.map(made.exports.tickLabels);
   assert.deepEqual(labels, [["0", "2.5e-4", "5.0e-4"], ["0", "0.25", "0.50", "0.75"], ["0", "10", "20"],
-    ["1.000005e+5", "1.000010e+5", "1.000015e+5"], ["-2e-5", "0", "2e-5"]]);
+    ["1.000005e+5", "1.000010e+5", "1.000015e+5"], ["-2e-5", "0", "2e-5"], ["1.4e-4"], ["0"]]);
 });
 
 test("runs no script but its own", async () => {

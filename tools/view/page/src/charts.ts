@@ -22,7 +22,7 @@ const formatNumber = (value: number | null) => (value == null ? "–" : String(N
 /** Returns the range of an axis, with margins. If all values are equal, uPlot alone would choose a range up to 100. */
 function range(_: uPlot, low: number, high: number): uPlot.Range.MinMax {
   if (low == null || high == null) return [0, 1];
-  const margin = high > low ? 0.08 * (high - low) : Math.max(0.1 * Math.abs(high), 1e-3);
+  const margin = high > low ? 0.08 * (high - low) : 0.1 * Math.abs(high) || 1;
   return [low - margin, high + margin];
 }
 
@@ -62,7 +62,7 @@ export class Charts {
       ...this.chartSize(),
       title: `${plot.title} (${plot.unit})`,
       scales: { x: { time: false }, y: { range } },
-      axes: [{ ...axis, label: "cycles of the driving", labelSize: 20, size: 34 }, { ...axis, size: (_, labels) => 20 + 7 * Math.max(6, ...(labels ?? []).map((label) => label.length)), values: (_: uPlot, values: number[]) => tickLabels(values) }],
+      axes: [{ ...axis, label: "cycles of the driving", labelSize: 20, size: 34 }, { ...axis, space: 15, size: (_, labels) => 20 + 7 * Math.max(6, ...(labels ?? []).map((label) => label.length)), values: (_: uPlot, values: number[]) => tickLabels(values) }],
       series: [{ label: "cycle", value: (_: uPlot, value: number | null) => formatNumber(value) }, ...series],
       cursor: { drag: { x: false, y: false } },
       hooks: { draw: [(chart) => this.drawTime(chart)], ready: [(chart) => this.addClickListener(chart), (chart) => this.showValues(chart)] },

@@ -52,11 +52,12 @@ class Player {
 
   private fillControls(): void {
     const { scene } = this;
-    const swimmers = `${scene.ids.length} swimmer${scene.ids.length === 1 ? "" : "s"}`;
+    const counted = (number: number, noun: string) => `${number} ${noun}${number === 1 ? "" : "s"}`;
+    const cycles = Number((scene.times[this.last] - scene.times[0]).toPrecision(4));
     const box = scene.box ? `box ${scene.box.map((edge) => Number(edge.toPrecision(6))).join(" × ")} ${scene.lengthUnit}` : scene.space;
     element("title").textContent = document.title = `${scene.file} – Beadswim`;
-    element("facts").textContent = `${swimmers}, ${box}, period ${Number(scene.period.toPrecision(6))}, ` +
-      `${scene.times.length} frame${this.last === 0 ? "" : "s"} over ${Number((scene.times[this.last] - scene.times[0]).toPrecision(4))} cycles`;
+    element("facts").textContent = `${counted(scene.ids.length, "swimmer")}, ${box}, period ${Number(scene.period.toPrecision(6))}, ` +
+      `${counted(scene.times.length, "frame")} over ${counted(cycles, "cycle")}`;
     this.time.max = String(this.last);
     element<HTMLButtonElement>("play").disabled = this.last === 0;
     for (const speed of speeds) this.speed.add(new Option(`${speed} cycles/s`, String(speed)));
@@ -246,7 +247,7 @@ class Player {
     if (swimmer === null) this.following.checked = false;
     element("picked").textContent = swimmer === null
       ? "Click a swimmer for its stroke, path and turning."
-      : `Swimmer ${this.scene.ids[swimmer]}, block ${this.scene.blocks[swimmer]}`;
+      : `Swimmer ${this.scene.ids[swimmer]}` + (new Set(this.scene.blocks).size > 1 ? `, block ${this.scene.blocks[swimmer]}` : "");
     this.charts.show(makePlots(this.scene, swimmer));
     this.show(this.framePosition);
   }

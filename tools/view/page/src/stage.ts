@@ -282,7 +282,7 @@ export class Stage {
       const still = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 5;
       if (still) this.onPick(this.swimmerAt(event.clientX, event.clientY));
     });
-    new ResizeObserver(() => this.draw()).observe(this.canvas);
+    new ResizeObserver(() => this.render()).observe(this.canvas); // before the browser shows the old picture, stretched
   }
 
   /** Returns the swimmer nearest to the camera with a bead within four pixels of a position in the window; null if there is none. */
