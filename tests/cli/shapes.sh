@@ -408,4 +408,22 @@ check "the power of forces that turn with the swimmer is that of theory" holds -
   '.predictions[0] | .power / $run[0].swimmers[0].cycles[-1].power - 1 | fabs < 0.02' body.theory
 check "so is the efficiency" holds --slurpfile run body.run '.predictions[0] | .efficiency / $run[0].swimmers[0].cycles[-1].efficiency - 1 | fabs < 0.05' body.theory
 
+# --- a run agrees with the theory of its own model where nothing swims, no arm stretches or nothing moves along the axis
+agrees() { # NAME   of a layout
+  beadswim-run "$1.json" --model rpy --cycles 3 -o "$1.h5md" --progress none >"$1.same" 2>err
+  beadswim-theory "$1.json" --method rpy-ode >"$1.theory" 2>err
+  for file in "$1.same" "$1.h5md"; do
+    run beadswim-compare "$file" "$1.theory" --quantity velocity,arm_amplitudes,sin_phase_shift
+    has_status 0
+    check "$1: all errors are small" holds 'all(.rows[]; .relative_error | fabs < 0.03)' out
+  done
+}
+for shape in chain dumbbell triangle flagellum; do beadswim-layout shape $shape >still-$shape.json && agrees still-$shape; done
+jq '.swimmers[0] += {orientation: [0.8, 0, 0.6, 0]}' still-chain.json >tilted.json && agrees tilted
+beadswim-layout shape sphere --unbounded | jq '.types[].driving.forces[].direction = [0, 0, 1]' >pulled.json && agrees pulled
+check "the velocity across the axis is compared" holds '.rows[0] | .run > 1e-6 and .reference > 1e-6' out
+jq '.swimmers[].cycles[].velocity[2] *= 1.5' pulled.same >faster.same
+run beadswim-compare faster.same pulled.theory
+has_status 1
+
 finish

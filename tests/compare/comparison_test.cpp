@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "beadswim/compare/comparison.hpp"
 
@@ -33,12 +34,106 @@ TEST(RootMeanSquare, WeighsValuesOfEitherSignAlike) {
 }
 
 TEST(RelativeError, IsSignedAgainstTheReferencesSize) {
-  EXPECT_DOUBLE_EQ(relative_error(11, 10), 0.1);
-  EXPECT_DOUBLE_EQ(relative_error(-11, -10), -0.1);  // more negative is below
-  EXPECT_DOUBLE_EQ(relative_error(1, -1), 2);        // swimming the other way is twice off
-  EXPECT_EQ(relative_error(0, 0), 0);
-  EXPECT_EQ(relative_error(-1e-30, 0), -infinity);
-  EXPECT_TRUE(std::isnan(relative_error(nan, 1)));
+  const auto error = [](double run, double reference) {
+    return compare_velocity(run, reference, 1).front().relative_error;
+  };
+  EXPECT_DOUBLE_EQ(error(11, 10), 0.1);
+  EXPECT_DOUBLE_EQ(error(-11, -10), -0.1);  // more negative is below
+  EXPECT_DOUBLE_EQ(error(1, -1), 2);        // swimming the other way is twice off
+  EXPECT_EQ(error(0, 0), 0);
+  EXPECT_EQ(error(-1e-30, 0), -infinity);
+  EXPECT_TRUE(std::isnan(error(nan, 1)));
+}
+
+// Beads move by up to 0.01 in a time of 1, in a swimmer 20 long with a period of 100.
+constexpr MotionScale moving{.period = 100, .length = 20, .speed = 0.01};
+
+ComparisonRow compared(ComparedQuantity quantity, double run, double expected, double numerical_error = 0) {
+  Reference reference{"p.json", "rpy-ode", true, {{quantity, {expected}}}};
+  reference.numerical_error = numerical_error;
+  const RunSwimmer swimmer{.source = "r.json", .id = 0, .swimming = {{quantity, {run}}}, .scale = moving};
+  return compare_swimmer(swimmer, std::vector{reference}, {{quantity}, 0.05, 0}).at(0);
+}
+
+TEST(ZeroReference, AgreesWithARunThatIsZeroWithinRoundoff) {
+  for (const auto quantity : {ComparedQuantity::velocity, ComparedQuantity::arm_amplitudes,
+                              ComparedQuantity::angular_velocity, ComparedQuantity::sin_phase_shift}) {
+    const ComparisonRow row = compared(quantity, -1e-16, -7e-19);
+    EXPECT_EQ(row.relative_error, 0);
+    EXPECT_TRUE(row.pass);
+  }
+}
+
+TEST(ZeroReference, GivesErrorsRelativeToWhatMoves) {
+  EXPECT_DOUBLE_EQ(compared(ComparedQuantity::velocity, -1e-3, 1e-16).relative_error, -(1e-3 + 1e-16) / 0.01);
+  const double stroke = 0.01 * 100 / (2 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(compared(ComparedQuantity::arm_amplitudes, 0.01, 0).relative_error, 0.01 / stroke);
+  EXPECT_DOUBLE_EQ(compared(ComparedQuantity::angular_velocity, 1e-4, 0).relative_error, 1e-4 / (0.01 / 20));
+  EXPECT_DOUBLE_EQ(compared(ComparedQuantity::sin_phase_shift, 0.1, 0).relative_error, 0.1);
+  EXPECT_FALSE(compared(ComparedQuantity::velocity, 1e-3, 0).pass);
+  EXPECT_TRUE(compared(ComparedQuantity::velocity, 1e-4, 0).pass);
+}
+
+// A swimmer a million times slower than its beads is still compared with its own velocity, unless the
+// reference states a larger numerical error.
+TEST(ZeroReference, IsNotAReferenceThatIsOnlySmall) {
+  EXPECT_NEAR(compared(ComparedQuantity::velocity, 1.1e-8, 1e-8).relative_error, 0.1, 1e-12);
+  EXPECT_FALSE(compared(ComparedQuantity::velocity, 1.1e-8, 1e-8).pass);
+  EXPECT_TRUE(compared(ComparedQuantity::velocity, 1.1e-8, 1e-8, 2e-8).pass);
+}
+
+TEST(ZeroReference, OfAnArmHasNoPhase) {
+  const Reference reference{"p.json", "rpy-ode", true, swimming(1e-5, 2, 1e-15, 0.3)};
+  const RunSwimmer run{.source = "r.json", .id = 0, .swimming = swimming(1e-5, 2, 3e-15, -0.8), .scale = moving};
+  const auto rows = compare_swimmer(run, std::vector{reference}, {every, 0.05, 0});
+  EXPECT_EQ(rows.size(), 3U);
+  EXPECT_TRUE(verdict(rows));
+}
+
+ComparisonRow compare_vectors(ComparedQuantity quantity, const Vec3& run, const Vec3& expected) {
+  const Reference reference{"p.json", "rpy-ode", true, {{quantity, with_vector(expected.x(), expected)}}};
+  const RunSwimmer swimmer{
+      .source = "r.json", .id = 0, .swimming = {{quantity, with_vector(run.x(), run)}}, .scale = moving};
+  return compare_swimmer(swimmer, std::vector{reference}, {{quantity}, 0.05, 0}).at(0);
+}
+
+// A sphere that is pulled along z has no velocity along its axis, x.
+TEST(ComparedVectors, DifferAcrossTheAxisToo) {
+  const ComparisonRow row = compare_vectors(ComparedQuantity::velocity, {0, 0, 5e-3}, {0, 0, 4e-3});
+  EXPECT_DOUBLE_EQ(row.run, 5e-3);
+  EXPECT_DOUBLE_EQ(row.reference, 4e-3);
+  EXPECT_DOUBLE_EQ(row.relative_error, 0.25);
+  EXPECT_FALSE(row.pass);
+  EXPECT_FALSE(compare_vectors(ComparedQuantity::velocity, {0, 0, 5e-3}, {0, 0, 0}).pass);
+  EXPECT_FALSE(compare_vectors(ComparedQuantity::velocity, {0, 0, 0}, {0, 0, 5e-3}).pass);
+  const ComparisonRow across = compare_vectors(ComparedQuantity::velocity, {-4e-3, 1e-3, 0}, {-4e-3, 0, 0});
+  EXPECT_NEAR(std::abs(across.relative_error), 0.25, 1e-15);
+}
+
+// The run has turned by a right angle about z and swims as expected in its own axes.
+TEST(ComparedVectors, AreThoseInTheAxesOfTheSwimmer) {
+  const ComparedQuantity velocity = ComparedQuantity::velocity;
+  Reference reference{"p.json", "rpy-ode", true, {{velocity, {3, 3, 0, 4}}}};
+  RunSwimmer run{.source = "r.json", .id = 0, .swimming = {{velocity, {3, 0, 3, 4}}}, .scale = moving};
+  const auto error = [&] {
+    return compare_swimmer(run, std::vector{reference}, {{velocity}, 0.05, 0}).at(0).relative_error;
+  };
+  EXPECT_NEAR(std::abs(error()), std::sqrt(18) / 5, 1e-15);
+  reference.axis = Vec3::UnitX();
+  run.axis = Vec3::UnitY();
+  EXPECT_NEAR(error(), 0, 1e-15);
+}
+
+TEST(ComparedVectors, KeepTheSignOfAVelocityAlongTheAxis) {
+  const ComparisonRow row = compare_vectors(ComparedQuantity::velocity, {-4.4e-3, 0, 0}, {-4e-3, 0, 0});
+  EXPECT_DOUBLE_EQ(row.reference, -4e-3);
+  EXPECT_DOUBLE_EQ(row.run, -4.4e-3);
+  EXPECT_NEAR(row.relative_error, -0.1, 1e-15);
+}
+
+TEST(ComparedVectors, DifferByTheSenseOfARotation) {
+  EXPECT_DOUBLE_EQ(compare_vectors(ComparedQuantity::angular_velocity, {0, 0, -1e-4}, {0, 0, 1e-4}).relative_error,
+                   -2);
 }
 
 TEST(Verdict, PassesAtTheToleranceAndFailsBeyondIt) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "beadswim/core/error.hpp"
@@ -228,6 +229,42 @@ TEST(Units, AreTheSameOnlyInNameAndSize) {
   EXPECT_FALSE(same_units(si, {}));
   other.time.si_factor = 2;
   EXPECT_FALSE(same_units(si, other));
+}
+
+// A run whose error by resolution is 0.05 % and whose model is expected to be wrong by 18 % states 18 %.
+TEST(StatedErrors, ContainTheExpectedError) {
+  RunRecord record;
+  SwimmerRecord swimmer{.id = 0, .cycles = {CycleStatistics{}}, .period = {}};
+  swimmer.cycles.front().arm_amplitudes = {3, 4};
+  swimmer.uncertainty = SwimmerUncertainty{};
+  swimmer.uncertainty->velocity = {.resolution = 5e-4, .wander = 0, .transient = 0.03, .total = 0.03};
+  swimmer.uncertainty->arm_amplitudes.total = 1e-3;
+  EXPECT_EQ(stated_errors_of(record, swimmer, {}), uncertainties_of(swimmer, {}));
+  record.expected_error = ExpectedErrorRecord{.velocity = 0.18, .arm_amplitudes = {0.05, 0.06}};
+  const ComparedValues errors = stated_errors_of(record, swimmer, {});
+  EXPECT_DOUBLE_EQ(errors.at(ComparedQuantity::velocity).at(0), std::hypot(0.18, 0.03));
+  EXPECT_EQ(errors.at(ComparedQuantity::arm_amplitudes), std::vector({0.06, 0.06}));
+}
+
+TEST(MotionScaleOfARun, IsThatOfItsFastestBead) {
+  RunRecord record;
+  record.driving.period = 100;
+  SwimmerRecord swimmer{.id = 0, .cycles = {CycleStatistics{}}, .period = {}};
+  swimmer.cycles.front().velocity = Vec3(0, 0, 1e-3);
+  swimmer.cycles.front().arm_amplitudes = {1e-15};
+  swimmer.cycles.front().arm_means = {20};
+  EXPECT_EQ(motion_scale_of(record, swimmer, {}, "r.json").speed, 1e-3);
+  record.scene = paper_single();
+  record.dimensionless.reynolds_bead = 0.4;
+  const double diameter = 2 * smallest_radius(*record.scene), nu = record.scene->fluid.kinematic_viscosity;
+  const MotionScale scale = motion_scale_of(record, swimmer, {}, "r.json");
+  EXPECT_DOUBLE_EQ(scale.speed, 0.4 * nu / diameter);
+  EXPECT_EQ(scale.length, 20);
+  EXPECT_EQ(scale.numerical_error, 0);
+  record.mobility = MobilityRecord{};
+  record.mobility->tolerance = 1e-3;
+  record.mobility->cut_off = 30;
+  EXPECT_DOUBLE_EQ(motion_scale_of(record, swimmer, {}, "r.json").numerical_error, 1e-3 * scale.speed);
 }
 
 }  // namespace

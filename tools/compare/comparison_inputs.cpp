@@ -12,11 +12,13 @@
 namespace beadswim {
 namespace {
 
-/// Throws InputError if the document is the record of a failed run. The results of a failed run are not
-/// valid.
+/// Throws InputError if the document is the record of a failed run, whose results are not valid, or of a
+/// large swarm without a cycle.
 void require_success(const SwimmingDocument& document, const std::string& source) {
   const auto* run = std::get_if<RunRecord>(&document);
-  if (run == nullptr || run->status != RunStatus::failed) return;
+  if (run == nullptr) return;
+  if (run->swimmers.empty()) select_cycles({}, {}, source);
+  if (run->status != RunStatus::failed) return;
   throw InputError(source,
                    "the file is the record of a failed run; correct the cause of the failure and run again");
 }
@@ -55,6 +57,15 @@ void append(std::vector<SceneDifference>& all, const std::vector<SceneDifference
 
 // --- References of one swimmer
 
+/// Returns the axis of the swimmer for which a prediction states vectors; nullopt if it is not that of the
+/// layout, because the drives turn the swimmer.
+std::optional<Vec3> predicted_axis(const PredictionDocument& document, const Prediction& prediction) {
+  if (!document.scene || number_setting(prediction, "turn")) return std::nullopt;
+  const auto swimmer = std::ranges::find(document.scene->swimmers, document.swimmer, &Swimmer::id);
+  if (swimmer == document.scene->swimmers.end()) return std::nullopt;
+  return swimmer->orientation().col(0);
+}
+
 /// Returns the references for a swimmer that one file contains: one reference for a run record, one per
 /// method for predictions.
 std::vector<Reference> references_for(int swimmer, const SourceDocument& file, const CycleChoice& cycle) {
@@ -64,7 +75,9 @@ std::vector<Reference> references_for(int swimmer, const SourceDocument& file, c
                       .method = "run",
                       .usable = true,
                       .swimming = swimming_of(*run, record, cycle, file.source),
-                      .uncertainties = uncertainties_of(record, cycle)}};
+                      .uncertainties = uncertainties_of(record, cycle),
+                      .numerical_error = motion_scale_of(*run, record, cycle, file.source).numerical_error,
+                      .axis = select_cycles(record.cycles, cycle, file.source).back().axis}};
   }
   std::vector<Reference> references;
   const auto& document = std::get<PredictionDocument>(file.document);
@@ -74,7 +87,9 @@ std::vector<Reference> references_for(int swimmer, const SourceDocument& file, c
                           .method = prediction.method,
                           .usable = prediction.usable,
                           .swimming = swimming_of(prediction),
-                          .uncertainties = uncertainties_of(prediction)});
+                          .uncertainties = uncertainties_of(prediction),
+                          .numerical_error = number_setting(prediction, "numerical_error").value_or(0),
+                          .axis = predicted_axis(document, prediction)});
   }
   return references;
 }
@@ -139,7 +154,9 @@ void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const Compar
     in_runs.push_back({.source = run.source,
                        .id = id,
                        .swimming = swimming_of(run.record, swimmer, request.cycle, run.source),
-                       .uncertainties = uncertainties_of(swimmer, request.cycle)});
+                       .uncertainties = uncertainties_of(swimmer, request.cycle),
+                       .scale = motion_scale_of(run.record, swimmer, request.cycle, run.source),
+                       .axis = select_cycles(swimmer.cycles, request.cycle, run.source).back().axis});
   }
   // A swimmer with fewer than two bonds has no phase shift.
   std::erase_if(request.quantities,
@@ -177,6 +194,10 @@ VerdictDocument compare(const ComparisonInputs& inputs, const ComparisonRequest&
   for (const int id : swimmers_of(inputs.references.front().document)) {
     compare_swimmer_in_all_runs(id, request, inputs, result);
   }
+  if (result.rows.empty())
+    throw InputError(inputs.runs.front().source,
+                     "no compared quantity is defined, because the phases are those of arms that do not move; "
+                     "select another one with --quantity");
   return result;
 }
 

@@ -122,27 +122,30 @@ std::string ComparisonFiles::add_reference(File& file, const Json& study, Compar
                      study.is_null() ? "without a study" : "of the study " + study.dump());
 }
 
+/// Adds the run of a stream's document, and the study. Returns the reason if the document is a failure.
+std::string ComparisonFiles::add_run(const StreamMember& member, Member& next) {
+  const Json json = parse_json(member.text, member.source);
+  next.study = study_in(json);
+  if (is_failure(json)) return failure_reason(json, member.source);
+  next.inputs.runs.push_back({member.source, run_from_json(json, member.source)});
+  return "";
+}
+
 std::optional<ComparisonFiles::Member> ComparisonFiles::next() {
   for (; run_file_ < runs_.size(); ++run_file_) {
     File& file = runs_[run_file_];
-    Member next{.number = number_ + 1, .inputs = {}, .reason = {}, .study = {}};
-    if (!file.stream) {
-      ++run_file_;
-      next.inputs.runs.push_back({file.path, run_of_trajectory(file.path)});
-    } else {
-      const auto member = file.stream->next();
-      if (!member) continue;
-      const Json json = parse_json(member->text, member->source);
-      next.study = study_in(json);
-      if (is_failure(json)) {
-        next.reason = failure_reason(json, member->source);
-      } else {
-        next.inputs.runs.push_back({member->source, run_from_json(json, member->source)});
-      }
+    const auto member = file.stream ? file.stream->next() : std::nullopt;
+    if (file.stream && !member) continue;
+    Member next{.number = ++number_, .inputs = {}, .reason = {}, .study = {}};
+    try {
+      if (member) next.reason = add_run(*member, next);
+      else next.inputs.runs.push_back({file.path, run_of_trajectory(file.path)});
+      for (File& reference : references_)
+        if (next.reason.empty()) next.reason = add_reference(reference, next.study, next.inputs);
+    } catch (const InputError& error) {
+      next.reason = error.what();
     }
-    ++number_;
-    for (File& reference : references_)
-      if (next.reason.empty()) next.reason = add_reference(reference, next.study, next.inputs);
+    if (!member) ++run_file_;
     return next;
   }
   return std::nullopt;

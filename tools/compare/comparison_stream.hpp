@@ -44,6 +44,7 @@ class ComparisonFiles {
 
   static File open(const std::string& path);
   static const SwimmingDocument& only_document(File& file);
+  static std::string add_run(const StreamMember& member, Member& next);
   std::string add_reference(File& file, const Json& study, ComparisonInputs& inputs);
 
   std::vector<File> runs_, references_;

@@ -1,5 +1,6 @@
 #include "beadswim/compare/comparison.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,17 +42,45 @@ std::optional<double> value_of(const ComparedValues& values, ComparedQuantity qu
   return found->second[i];
 }
 
+/// Sets the numbers of a row for number i of a quantity. Returns the difference of run and reference: for
+/// vectors its size, with the sign of run - reference along the reference.
+double set_numbers(const RunSwimmer& run, const Reference& reference, std::size_t i, ComparisonRow& row) {
+  const std::vector<double>& values = run.swimming.at(row.quantity);
+  const std::vector<double>& others = reference.swimming.at(row.quantity);
+  row.run = values[i];
+  row.reference = others[i];
+  auto vector = vector_of(row.quantity, values);
+  const auto expected = vector_of(row.quantity, others);
+  if (!vector || !expected) return row.run - row.reference;
+  if (run.axis && reference.axis)
+    vector = Eigen::Quaterniond::FromTwoVectors(*run.axis, *reference.axis) * *vector;
+  const Vec3 along = (row.reference < 0 ? -1 : 1) * (expected->isZero(0) ? *vector : *expected).normalized();
+  row.run = vector->dot(along);
+  row.reference = expected->dot(along);
+  return std::copysign((*vector - *expected).norm(), row.run - row.reference);
+}
+
+/// Makes the error and the uncertainties of a row, whose reference is zero, relative to `scale`.
+void make_relative_to(double scale, double difference, ComparisonRow& row) {
+  row.relative_error = relative_error(difference, scale);
+  if (scale > 0 && row.run_uncertainty) *row.run_uncertainty *= std::abs(row.run) / scale;
+  if (scale > 0 && row.reference_uncertainty) *row.reference_uncertainty *= std::abs(row.reference) / scale;
+}
+
 /// Returns the row for number i of a quantity. Arm amplitudes have one number per arm, and i + 1 is the
 /// number of the arm. Other quantities have one number.
 ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, ComparedQuantity quantity,
                              std::size_t i, double tolerance) {
   ComparisonRow row = labelled_row(run, reference, quantity);
   if (quantity == ComparedQuantity::arm_amplitudes) row.arm = static_cast<int>(i) + 1;
-  row.run = run.swimming.at(quantity)[i];
-  row.reference = reference.swimming.at(quantity)[i];
-  row.relative_error = relative_error(row.run, row.reference);
+  const double difference = set_numbers(run, reference, i, row);
+  row.relative_error = relative_error(difference, row.reference);
   row.run_uncertainty = value_of(run.uncertainties, quantity, i);
   row.reference_uncertainty = value_of(reference.uncertainties, quantity, i);
+  const double zero = zero_within(run.scale, reference, quantity);
+  if (std::abs(row.reference) <= zero)
+    make_relative_to(run.scale.of(quantity, run.scale.speed), std::abs(difference) <= zero ? 0 : difference,
+                     row);
   row.tolerance = tolerance;
   row.pass = std::abs(row.relative_error) <= tolerance;  // false for NaN
   return row;
@@ -59,10 +88,22 @@ ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, 
 
 }  // namespace
 
-double relative_error(double run, double reference) {
-  if (run == reference) return 0;
-  if (reference == 0) return std::copysign(std::numeric_limits<double>::infinity(), run);
-  return (run - reference) / std::abs(reference);
+double relative_error(double difference, double reference) {
+  if (difference == 0) return 0;
+  if (reference == 0) return std::copysign(std::numeric_limits<double>::infinity(), difference);
+  return difference / std::abs(reference);
+}
+
+double zero_within(const MotionScale& scale, const Reference& reference, ComparedQuantity quantity) {
+  constexpr double roundoff = 1e-12, accuracy = 1e-10;  // relative to length and to speed
+  const double speed =
+      std::max({accuracy * scale.speed, roundoff * scale.length / scale.period, reference.numerical_error});
+  if (quantity != ComparedQuantity::sin_phase_shift) return scale.of(quantity, speed);
+  double amplitude = std::numeric_limits<double>::infinity();
+  for (const std::size_t arm : {0UL, 1UL})
+    amplitude = std::min(amplitude, value_of(reference.swimming, ComparedQuantity::arm_amplitudes, arm)
+                                        .value_or(amplitude));
+  return std::max(accuracy, scale.of(ComparedQuantity::arm_amplitudes, speed) / amplitude);
 }
 
 double root_mean_square(std::span<const double> values) {
@@ -91,6 +132,8 @@ std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<cons
   const auto compare = [&](ComparedQuantity quantity, std::size_t i) {
     for (std::size_t r = 0; r < references.size(); ++r) {
       if (!value_of(references[r].swimming, quantity, i)) continue;
+      const bool is_phase = quantity == ComparedQuantity::sin_phase_shift;
+      if (is_phase && zero_within(run.scale, references[r], quantity) >= 1) continue;
       rows.push_back(compare_number(run, references[r], quantity, i, criterion.tolerance));
       rows.back().decides = references[r].usable && r == criterion.deciding;
     }
@@ -98,7 +141,8 @@ std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<cons
   for (const ComparedQuantity quantity : criterion.quantities) {
     const auto numbers = run.swimming.find(quantity);
     if (numbers == run.swimming.end()) continue;
-    for (std::size_t i = 0; i < numbers->second.size(); ++i) compare(quantity, i);
+    const bool has_arms = quantity == ComparedQuantity::arm_amplitudes;
+    for (std::size_t i = 0; i < (has_arms ? numbers->second.size() : 1); ++i) compare(quantity, i);
   }
   return rows;
 }

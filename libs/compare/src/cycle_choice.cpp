@@ -10,6 +10,14 @@
 #include "beadswim/core/setting.hpp"
 
 namespace beadswim {
+namespace {
+
+/// Returns true if no cycle is missing between the first and the last.
+bool are_all(std::span<const CycleStatistics> cycles) {
+  return cycles.back().index - cycles.front().index + 1 == std::ssize(cycles);
+}
+
+}  // namespace
 
 CycleChoice parse_cycle_choice(const std::string& text) {
   if (text == "last") return {};
@@ -27,21 +35,22 @@ CycleChoice parse_cycle_choice(const std::string& text) {
   return {mean ? CycleChoice::Kind::last : CycleChoice::Kind::index, number};
 }
 
+std::span<const CycleStatistics> find_cycles(std::span<const CycleStatistics> cycles,
+                                             const CycleChoice& choice) {
+  const auto number = static_cast<std::size_t>(choice.number);
+  if (choice.kind == CycleChoice::Kind::last)
+    return number <= cycles.size() && are_all(cycles.last(number)) ? cycles.last(number)
+                                                                   : cycles.first(0);
+  const auto found = std::ranges::find(cycles, choice.number, &CycleStatistics::index);
+  return cycles.subspan(found - cycles.begin(), found == cycles.end() ? 0 : 1);
+}
+
 std::span<const CycleStatistics> select_cycles(std::span<const CycleStatistics> cycles,
                                                const CycleChoice& choice, const std::string& source) {
   if (cycles.empty()) {
     throw InputError(source, "the run record contains no complete cycle; run for one cycle or more");
   }
-  const auto number = static_cast<std::size_t>(choice.number);
-  const auto are_all = [](std::span<const CycleStatistics> some) {
-    return some.back().index - some.front().index + 1 == std::ssize(some);
-  };
-  if (choice.kind == CycleChoice::Kind::last && number <= cycles.size() && are_all(cycles.last(number)))
-    return cycles.last(number);
-  const auto found = std::find_if(cycles.begin(), cycles.end(), [&](const CycleStatistics& cycle) {
-    return choice.kind == CycleChoice::Kind::index && cycle.index == choice.number;
-  });
-  if (found != cycles.end()) return {found, 1};
+  if (const auto found = find_cycles(cycles, choice); !found.empty()) return found;
   const std::string wanted = choice.kind == CycleChoice::Kind::index
                                  ? fmt::format("cycle {}", choice.number)
                                  : fmt::format("the last {} cycles", choice.number);

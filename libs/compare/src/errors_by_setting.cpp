@@ -25,8 +25,9 @@ std::map<ComparedQuantity, std::vector<double>> errors_of(const CostedRun& run,
       const auto found = run.swimmers[s].find(quantity);
       if (found == run.swimmers[s].end()) continue;
       std::vector<SquareSums>& own = sums[quantity];
-      own.resize(std::max(own.size(), values.size()));
-      for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::size_t count = quantity == ComparedQuantity::arm_amplitudes ? values.size() : 1;
+      own.resize(std::max(own.size(), count));
+      for (std::size_t i = 0; i < count; ++i) {
         own[i].change += std::pow(found->second[i] - values[i], 2);
         own[i].reference += std::pow(values[i], 2);
       }

@@ -36,24 +36,16 @@ SceneProperties stated_properties(const RunRecord& run, int id) {
   return properties;
 }
 
-/// Returns a number of the settings of a prediction; nullopt if the prediction does not state it.
-std::optional<double> setting(const Prediction& prediction, const std::string& name) {
-  for (const auto& [key, value] : prediction.settings) {
-    if (key == name && std::holds_alternative<double>(value)) return std::get<double>(value);
-  }
-  return std::nullopt;
-}
-
 /// Returns the driving that a prediction document without scene states in the settings of its methods, for
 /// the only swimmer of the document.
 SceneProperties stated_properties(const PredictionDocument& document, int /*id*/) {
   SceneProperties properties;
   for (const Prediction& prediction : document.predictions) {
-    if (const auto period = setting(prediction, "period"))
+    if (const auto period = number_setting(prediction, "period"))
       properties[SceneProperty::period] = numbers_value({*period});
-    if (const auto phase = setting(prediction, "phase"))
+    if (const auto phase = number_setting(prediction, "phase"))
       properties[SceneProperty::phase] = numbers_value({*phase});
-    const auto amplitude = setting(prediction, "amplitude"), ratio = setting(prediction, "amplitude_ratio");
+    const auto amplitude = number_setting(prediction, "amplitude"), ratio = number_setting(prediction, "amplitude_ratio");
     if (amplitude && ratio.value_or(1) != 0)  // a ratio of 0 does not state B
       properties[SceneProperty::amplitude] = numbers_value({*amplitude, ratio ? *amplitude / *ratio : 0});
   }

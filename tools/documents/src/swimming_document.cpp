@@ -6,19 +6,23 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
+#include <span>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/io/document_stream.hpp"
+#include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/scene/units.hpp"
 
 namespace beadswim {
 namespace {
 
 /// Adds the cycles of the swimmers of a large swarm, which the record does not list, from the trajectory
-/// beside the record. Throws InputError if there is none, or if it belongs to another run.
+/// beside the record, if there are cycles. Throws InputError if there is no trajectory, or if it belongs to
+/// another run.
 RunRecord with_swimmers(RunRecord record, const std::string& source) {
-  if (!record.swimmers.empty()) return record;
+  if (!record.swimmers.empty() || record.swarm.value_or(std::vector<SwarmCycle>()).empty()) return record;
   const std::string path = std::filesystem::path(source).replace_extension(".h5md");
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
@@ -102,6 +106,26 @@ ComparedValues swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, c
   return average_compared_values(cycles);
 }
 
+MotionScale motion_scale_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
+                            const std::string& source) {
+  MotionScale scale{.period = swimmer.period.value_or(run.driving.period)};
+  const auto raise = [](double& scale, double value) { scale = std::max(scale, value); };
+  for (const CycleStatistics& cycle : select_cycles(swimmer.cycles, choice, source)) {
+    raise(scale.speed, cycle.velocity.norm());
+    for (const double d : cycle.arm_amplitudes) raise(scale.speed, 2 * std::numbers::pi * d / scale.period);
+    for (const double mean : cycle.arm_means) raise(scale.length, mean);
+  }
+  if (run.scene) {
+    double radius = 0;
+    for (const auto& [name, type] : run.scene->types) raise(radius, largest_radius(std::span(&type, 1)));
+    raise(scale.length, radius);
+    raise(scale.speed,
+          run.dimensionless.reynolds_bead * run.scene->fluid.kinematic_viscosity / (2 * radius));
+  }
+  if (run.mobility && run.mobility->cut_off) scale.numerical_error = run.mobility->tolerance * scale.speed;
+  return scale;
+}
+
 ComparedValues uncertainties_of(const SwimmerRecord& swimmer, const CycleChoice& choice) {
   ComparedValues uncertainties;
   if (choice.kind != CycleChoice::Kind::last || !swimmer.uncertainty) return uncertainties;
@@ -111,6 +135,19 @@ ComparedValues uncertainties_of(const SwimmerRecord& swimmer, const CycleChoice&
     uncertainties[ComparedQuantity::arm_amplitudes] =
         std::vector<double>(swimmer.cycles.back().arm_amplitudes.size(), *arms.total);
   return uncertainties;
+}
+
+ComparedValues stated_errors_of(const RunRecord& run, const SwimmerRecord& swimmer,
+                                const CycleChoice& choice) {
+  ComparedValues errors = uncertainties_of(swimmer, choice);
+  if (!run.expected_error || !swimmer.uncertainty || choice.kind != CycleChoice::Kind::last) return errors;
+  const auto& [velocity, arms] = *swimmer.uncertainty;
+  const auto& [of_velocity, of_arms] = *run.expected_error;
+  errors[ComparedQuantity::velocity] = {std::hypot(of_velocity, velocity.transient.value_or(0))};
+  errors[ComparedQuantity::arm_amplitudes] =
+      std::vector<double>(swimmer.cycles.back().arm_amplitudes.size(),
+                          std::hypot(std::ranges::max(of_arms), arms.transient.value_or(0)));
+  return errors;
 }
 
 ComparedValues uncertainties_of(const Prediction& prediction) {
@@ -130,8 +167,10 @@ ComparedValues swimming_of(const Prediction& prediction) {
   ComparedValues values{{ComparedQuantity::velocity, {prediction.velocity}},
                         {ComparedQuantity::arm_amplitudes, prediction.stroke.amplitude},
                         {ComparedQuantity::sin_phase_shift, {prediction.sin_phase_shift}}};
-  if (prediction.angular_velocity)
-    values[ComparedQuantity::angular_velocity] = {prediction.angular_velocity->norm()};
+  if (const auto& vector = prediction.velocity_vector)
+    values[ComparedQuantity::velocity] = with_vector(prediction.velocity, *vector);
+  if (const auto& vector = prediction.angular_velocity)
+    values[ComparedQuantity::angular_velocity] = with_vector(vector->norm(), *vector);
   return values;
 }
 

@@ -134,8 +134,6 @@ TrajectoryFile open_trajectory(const std::string& path) {
 RunRecord run_of_trajectory(const std::string& path) {
   const TrajectoryFile file = open_trajectory(path);
   const std::vector<TrajectoryCycle> cycles = file.reader.cycles(columns_of<CycleStatistics>({}));
-  if (cycles.empty())
-    throw InputError(path, "the trajectory contains no complete cycle; run at least one cycle");
   RunRecord record;
   record.model = "trajectory";
   record.units = file.layout.units;

@@ -21,6 +21,8 @@ struct RunSwimmer {
   ComparedValues swimming;  ///< contains all compared quantities
   ComparedValues uncertainties =
       {};  ///< relative uncertainties of `swimming`; quantities without one are absent
+  MotionScale scale = {};
+  std::optional<Vec3> axis = {};  ///< direction in the box; vectors are compared in the swimmer's own axes
 };
 
 /// Quantities of one swimmer that a run is compared with.
@@ -31,6 +33,8 @@ struct Reference {
   ComparedValues swimming;
   ComparedValues uncertainties =
       {};  ///< relative uncertainties of `swimming`; quantities without one are absent
+  double numerical_error = 0;     ///< of velocities, as far as the source states it [length/time]
+  std::optional<Vec3> axis = {};  ///< as RunSwimmer::axis; nullopt: vectors are compared in axes of the box
 };
 
 /// Quantities, tolerance and reference that determine the verdict.
@@ -74,9 +78,14 @@ struct ComparisonRow {
   }
 };
 
-/// Returns (run - reference)/|reference|. Returns 0 if both numbers are zero, and infinity with the sign of
-/// `run` if only the reference is zero.
-double relative_error(double run, double reference);
+/// Returns difference/|reference|. Returns 0 if both numbers are zero, and infinity with the sign of
+/// `difference` if only the reference is zero.
+double relative_error(double difference, double reference);
+
+/// Returns the size up to which a value of a reference is a numerical error: by roundoff of bead positions, by
+/// the accuracy of bead velocities (1e-10 of MotionScale::speed), or as the reference states. The error of a
+/// phase is that of the smaller of two arm amplitudes, divided by this amplitude.
+double zero_within(const MotionScale& scale, const Reference& reference, ComparedQuantity quantity);
 
 /// Returns the root mean square of `values`. There must be at least one value.
 double root_mean_square(std::span<const double> values);
@@ -88,7 +97,11 @@ std::optional<std::size_t> best_reference(std::span<const Reference> references,
                                           std::span<const ComparedQuantity> quantities);
 
 /// Returns one row per number that both the run and a reference contain, ordered by quantity, arm and
-/// reference. The verdict depends on the rows with decides == true: the rows of the reference with the index
+/// reference. Vectors that both contain are compared as vectors, those of the run after the
+/// shortest rotation of its axis onto that of the reference: the numbers of the row are the components
+/// along the vector of the reference, and the error is that of the whole vector. If the reference is zero
+/// within its numerical error, errors are relative to RunSwimmer::scale. A phase shift of arms without
+/// amplitude has no row. The verdict depends on the rows with decides == true: the rows of the reference with the index
 /// Criterion::deciding, if this reference is usable.
 std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<const Reference> references,
                                            const Criterion& criterion);

@@ -21,6 +21,11 @@ struct CycleChoice {
 /// InputError for Setting::cycle if the text is none of these.
 CycleChoice parse_cycle_choice(const std::string& text);
 
+/// Returns the selected cycles; empty if one of them does not exist. `cycles` are in increasing order of
+/// their index.
+std::span<const CycleStatistics> find_cycles(std::span<const CycleStatistics> cycles,
+                                             const CycleChoice& choice);
+
 /// Returns the selected cycles. `cycles` are in increasing order of their index. Throws InputError if a
 /// selected cycle does not exist; the message states `source` and the available cycles.
 std::span<const CycleStatistics> select_cycles(std::span<const CycleStatistics> cycles,

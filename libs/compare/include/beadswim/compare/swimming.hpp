@@ -29,10 +29,28 @@ inline constexpr std::array default_quantities{ComparedQuantity::velocity, Compa
 
 /// Compared quantities of one swimmer, from a run or a prediction. A source may provide only some of them.
 ///   velocity         { v }         along the swimmer's axis, relative to the mean flow [length/time]
+///                    { v, x, y, z }  with its components in the box, if the source knows them
 ///   arm_amplitudes   { d1, d2, ... }  of equation (4.1) of the paper (Pickl et al. 2017) [length]
 ///   sin_phase_shift  { sin beta }  beta = delta1 - delta2, the phase of arm 1 ahead of arm 2
-///   angular_velocity { |Omega| }   size of the angular velocity of the swimmer [radian/time]
+///   angular_velocity { |Omega|, x, y, z }  size and components [radian/time]
 using ComparedValues = std::map<ComparedQuantity, std::vector<double>>;
+
+/// Returns a number with the vector that it is a component or the size of.
+std::vector<double> with_vector(double number, const Vec3& vector);
+/// Returns the vector of with_vector(); nullopt for other values.
+std::optional<Vec3> vector_of(ComparedQuantity quantity, const std::vector<double>& values);
+
+/// Scales of a swimmer's motion, to which the errors of quantities that should be zero are relative.
+struct MotionScale {
+  double period = 1;           ///< [time]
+  double length = 0;           ///< longest mean arm, or radius of the largest bead [length]
+  double speed = 0;            ///< largest speed of a bead [length/time]
+  double numerical_error = 0;  ///< of velocities, as far as it is stated [length/time]
+
+  /// Returns the scale of a quantity for beads of this speed: their displacement in one radian of the drives
+  /// for arm amplitudes, bead_speed/length for angular velocities, 1 for sines.
+  double of(ComparedQuantity quantity, double bead_speed) const;
+};
 
 /// Returns the swimmer's velocity relative to the fluid, projected onto the swimmer's axis [length/time]. The
 /// mean flow is subtracted along periodic axes only: along other axes the walls define the frame of

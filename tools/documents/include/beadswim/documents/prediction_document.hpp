@@ -20,6 +20,9 @@ struct LeftOutMethod {
   }
 };
 
+/// Returns the number with this key in the settings of a prediction; nullopt if there is none.
+std::optional<double> number_setting(const Prediction& prediction, const std::string& key);
+
 /// Predictions for one swimmer of a layout (schemas/prediction.schema.json).
 struct PredictionDocument {
   Units units;      ///< units of the layout, used for all quantities of this document

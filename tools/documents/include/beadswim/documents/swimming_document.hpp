@@ -62,9 +62,20 @@ std::vector<int> swimmers_of(const SwimmingDocument& document);
 ComparedValues swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
                            const std::string& source);
 
+/// Returns the scales of the motion of a swimmer in the chosen cycles. The speed of beads follows from the
+/// Reynolds number, and the numerical error from the tolerance of sums, if the record states them. Throws
+/// InputError as above.
+MotionScale motion_scale_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
+                            const std::string& source);
+
 /// Returns the relative uncertainties that the record of a run states for the last cycle of a swimmer, also
 /// for the mean of the last cycles. Returns an empty result if it states none or if another cycle is chosen.
 ComparedValues uncertainties_of(const SwimmerRecord& swimmer, const CycleChoice& choice);
+
+/// Returns the relative errors that include the expected error of the run, if the record states it, and
+/// otherwise uncertainties_of().
+ComparedValues stated_errors_of(const RunRecord& run, const SwimmerRecord& swimmer,
+                                const CycleChoice& choice);
 
 /// Returns the relative uncertainties that a prediction states.
 ComparedValues uncertainties_of(const Prediction& prediction);

@@ -30,7 +30,7 @@ bool is_trajectory(const std::string& path);
 TrajectoryFile open_trajectory(const std::string& path);
 
 /// Returns what a trajectory contains of the record of its run: scene, driving, and the cycles of all
-/// swimmers. Its model is "trajectory". Throws InputError if the file is invalid or has no complete cycle.
+/// swimmers. Its model is "trajectory". Throws InputError if the file is invalid.
 RunRecord run_of_trajectory(const std::string& path);
 
 /// Throws InputError for an id that no swimmer has, with a message such as "FLAG: no swimmer 12 in run.h5md;
