@@ -25,7 +25,7 @@ drawn 2 '<polyline'   # one swimmer's middle bead, and its legend
 out_has '>swimmer 0<'
 out_has '>Middle beads along x<'
 out_has '>time \(cycles of the driving\)<'
-notes_have '1 swimmer, T = 2000, box 96 × 32 × 32; 1 cycles'
+notes_have '1 swimmer, T = 2000, box 96 × 32 × 32; 1 cycle( |$)'
 check 'not every frame is a point' test "$(grep -m 1 -oE '<polyline points="[^"]*"' out | tr ' ' '\n' | grep -c ,)" -eq 41
 same_bytes 'beadswim-plot trajectories cell.h5md' 'beadswim-plot trajectories cell.h5md'
 accepts beadswim-plot trajectories cell.h5md --along z
@@ -65,6 +65,21 @@ check "the figure's displacement is not the record's" test $? -eq 0
 beadswim-layout swimmer --preset paper-single --unbounded --period 300 | beadswim-run - --model rpy --cycles 0.5 -o open.h5md >open.record 2>err
 accepts beadswim-plot trajectories open.h5md
 notes_have '1 swimmer, T = 300, open space; 0.5 cycles'
+check 'nothing is wrapped in open space' bash -c '! grep -q wrapped out'
+
+# Dashes of many cycles would look like slow oscillations: lines are solid, each in its colour.
+for y in 0 40 80; do beadswim-layout swimmer --preset paper-single --unbounded --period 300 | jq -c ".swimmers[0] += {id: $y, position: [0, $y, 0]}"; done |
+  jq -s '.[0] + {swimmers: map(.swimmers[])}' | beadswim-run - --model rpy --cycles 31 --frames-per-cycle 8 -o long.h5md >long.record 2>err
+accepts beadswim-plot trajectories long.h5md
+check 'no dashes' bash -c '! grep -q "<polyline.*dasharray" out'
+check 'three colours' test "$(grep -oE '<polyline.* stroke="[^"]*"' out | grep -oE ' stroke="[^"]*"' | sort -u | wc -l)" -eq 3
+refuses '--swimmers: the figure would have 9 curves, but at most 7 can be distinguished' beadswim-plot trajectories long.h5md --beads 1,2,3
+accepts beadswim-plot trajectories open.h5md --beads 1,2,3
+
+# A trajectory states neither the Reynolds number nor the penetration depth.
+accepts beadswim-plot stroke long.h5md
+notes_have 'Runs: T = 300;? '
+check 'unknown numbers are not drawn' bash -c '! grep -qE "Re =|δ/λ =" out'
 accepts beadswim-plot swarm open.h5md
 notes_have '1 swimmer in open space, a box drawn around \(lattice units\)'
 drawn 3 '<circle class="b0"'
@@ -74,7 +89,8 @@ accepts beadswim-plot swarm cell.h5md
 well_formed out
 drawn 3 '<circle class="b0"'
 drawn 2 '<path'
-out_has '>Swarm after 1 cycles<'
+out_has '>Swarm after 1 cycle<'
+check 'one swimmer makes no blocks' bash -c '! grep -q alternate out'
 notes_have '1 swimmer in a box of 96 × 32 × 32 \(lattice units\)'
 notes_have 'λ = 6, bead density 1, l = 32, k = 0.2, KA = 2048; A = B = 2, α = 1.571 rad, T = 2000, along x'
 accepts beadswim-plot swarm cell.h5md --frame 0 --repeat 2,6,3

@@ -348,7 +348,40 @@ run bash -c 'ulimit -n 40; beadswim-theory many-*.json --method rpy-perturbation
 check 'all of 60 files with 40 open files at most' test "$(cat out)" = 60
 
 run beadswim-plot stroke mixed-runs.jsonl -o failures.svg
-err_has '3 documents are failures without results'
+err_has '^beadswim-plot: 3 of [0-9]+ documents have no result, and are left out$'
+
+# --- a run that stops before its first cycle ends has no result: it is left out and counted, and the others are shown
+beadswim-layout swimmer --preset paper-single --unbounded | beadswim-layout vary --over amplitude=0.1,60 >strong.jsonl
+run beadswim-run strong.jsonl --model rpy --cycles 3 --progress none -o strong-{}.h5md
+mv out strong-runs.jsonl
+check 'the second stops in its first cycle' holds -s '.[0].status == "finished" and .[1].swimmers[0].cycles == []' strong-runs.jsonl
+beadswim-theory strong.jsonl --method rpy-perturbation >strong-theory.jsonl 2>err
+for inputs in strong-runs.jsonl 'strong-1.h5md strong-2.h5md' 'strong-1.json strong-2.json'; do
+  for figure in 'against --x amplitude' stroke velocity-against-period separation 'speed-against-error --reference strong-first.theory'; do
+    sed -n 1p strong-theory.jsonl >strong-first.theory
+    [[ $inputs =~ h5md && ! $figure =~ stroke|velocity ]] && continue # trajectories have no study and no cost
+    run beadswim-plot $figure $inputs -o figure.svg
+    has_status 0
+    err_has '^beadswim-plot: 1 of 2 documents have no result, and are left out$'
+  done
+done
+refuses 'strong-2.json: the run record contains no complete cycle' beadswim-plot stroke strong-2.json
+run beadswim-plot against strong-runs.jsonl strong-theory.jsonl --x amplitude --data strong.csv
+has_status 0
+err_has '1 of 4 documents'
+check 'one run' test "$(grep -c ',rpy,' strong.csv)" -eq 1
+run beadswim-compare strong-runs.jsonl strong-theory.jsonl --tolerance 0.5 --quantity velocity
+has_status 3
+check 'a verdict, and a failure' holds -s '.[0].pass and .[1].status == "failed" and (.[1].reason | contains("no complete cycle"))' out
+mv out strong-verdicts.jsonl
+run beadswim-plot speed-against-error strong-verdicts.jsonl
+has_status 0
+err_has '1 of 2 documents have no result'
+sed -n 1p strong.jsonl >weak.json
+run beadswim-theory weak.json --method oseen-stroke-closed --stroke-from strong-runs.jsonl
+has_status 0
+err_has '1 of 2 documents of strong-runs.jsonl have no result'
+accepts beadswim-view strong-2.h5md -o strong.html
 refuses 'each of the 8 layouts needs a trajectory of its own; write \{\} once' beadswim-run study.jsonl "${runs[@]}" -o run.h5md
 refuses '--cells-per-radius: the flag applies to the lattice only' beadswim-run study.jsonl "${runs[@]}" --cells-per-radius 3 -o run-{}.h5md
 refuses '--ranks-per-run: 2 is more than the 1 ranks' beadswim-run study.jsonl "${runs[@]}" --ranks-per-run 2 -o run-{}.h5md

@@ -64,9 +64,18 @@ TEST(ErrorFigure, SettingsLookAlikeInAllScenesAndHaveOneLegend) {
   EXPECT_THAT(figure_to_csv(figure), HasSubstr("error of the velocity (9 swimmers)"));
 }
 
-TEST(ErrorFigure, RefusesWhatNoLogarithmicAxisHolds) {
+TEST(ErrorFigure, LeavesOutAndCountsWhatNoLogarithmicAxisHolds) {
   QuantityErrors exact = errors();
-  exact.series[1].points[0].error = 0;
+  exact.series[0].points[1].error = 0;
+  const Figure figure = error_figure({exact}, "core-seconds", {});
+  EXPECT_THAT(figure.panels.at(0).series.at(0).x, ElementsAre(100));
+  EXPECT_EQ(figure.notes.back().text, "Most accurate velocity: dear; not drawn for lack of an error: 1.");
+}
+
+TEST(ErrorFigure, RefusesWhatHasNoPointForLogarithmicAxes) {
+  QuantityErrors exact = errors();
+  exact.series.erase(exact.series.begin());
+  exact.series[0].points[0].error = 0;
   try {
     error_figure({exact}, "core-seconds", {});
     FAIL();

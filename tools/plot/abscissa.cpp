@@ -41,14 +41,6 @@ std::optional<double> driving_number(const RunRecord& run, Abscissa abscissa) {
   return abscissa == Abscissa::phase ? run.driving.phase : A / B;
 }
 
-template <class Value>
-std::optional<Value> setting(const Prediction& prediction, const std::string& key) {
-  for (const auto& [name, value] : prediction.settings) {
-    if (name == key && std::holds_alternative<Value>(value)) return std::get<Value>(value);
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 AxisLabel axis_label(Abscissa abscissa, const Units& units) {
@@ -65,12 +57,11 @@ AxisLabel axis_label(Abscissa abscissa, const Units& units) {
   return {};
 }
 
-std::optional<double> number_setting(const Prediction& prediction, const std::string& key) {
-  return setting<double>(prediction, key);
-}
-
 std::optional<std::string> text_setting(const Prediction& prediction, const std::string& key) {
-  return setting<std::string>(prediction, key);
+  for (const auto& [name, value] : prediction.settings) {
+    if (name == key && std::holds_alternative<std::string>(value)) return std::get<std::string>(value);
+  }
+  return std::nullopt;
 }
 
 double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa) {

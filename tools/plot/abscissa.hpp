@@ -28,9 +28,7 @@ inline constexpr auto name_table<Abscissa> =
 
 AxisLabel axis_label(Abscissa abscissa, const Units& units);
 
-/// Return the number, or the text, with this key in the settings of a prediction; nullopt if the settings do
-/// not contain the key.
-std::optional<double> number_setting(const Prediction& prediction, const std::string& key);
+/// Returns the text with this key in the settings of a prediction; nullopt if there is none.
 std::optional<std::string> text_setting(const Prediction& prediction, const std::string& key);
 
 /// Returns the value on the horizontal axis for a prediction. Throws InputError if the settings of the

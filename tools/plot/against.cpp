@@ -281,8 +281,12 @@ Figure against_figure(const PlotInputs& inputs, const AgainstFlags& flags) {
   append_points_and_curves(run_points(inputs, flags), prediction_curves(inputs, flags), std::nullopt, panel);
   panel.x_scale = x_scale(flags.log);
   panel.y_scale = y_scale(flags.log);
-  std::vector<Note> notes{reading_note(inputs),
-                          {.text = "Bars and bands: uncertainties that runs and predictions state."}};
+  std::vector<Note> notes{reading_note(inputs)};
+  const auto has_errors = [](const Series& series) {
+    return std::ranges::any_of(series.errors, [](double error) { return error > 0; });
+  };
+  if (std::ranges::any_of(panel.series, has_errors))
+    notes.push_back({.text = "Bars and bands: uncertainties that runs and predictions state."});
   if (has_omitted_values(panel)) notes.push_back({.text = "Lines break where values are not positive."});
   const std::string title = capitalised(fmt::format("{} against {}", panel.y_label.quantity, flags.x));
   return {.title = title, .panels = {std::move(panel)}, .notes = notes};
@@ -312,18 +316,18 @@ Drawing add_against_flags(CLI::App& command) {
   add_methods(command, flags->methods.methods);
   add_cycle(command, flags->cycle);
   return [flags](const PlotFiles& files) {
-    parse_cycle_choice(flags->cycle);
+    const CycleChoice cycle = parse_cycle_choice(flags->cycle);
     if (flags->colour) {
       if (!flags->group_by.empty())
         throw InputError("--group-by", "a map shows one value per point; leave the flag out");
-      return map_figure(read_plot_inputs(files.inputs, flags->methods), *flags);
+      return map_figure(read_plot_inputs(files.inputs, flags->methods, cycle), *flags);
     }
     const auto result = value_named<StudyResult>(flags->y_name);
     if (!result)
       throw InputError("--y", fmt::format("{}; a second quantity of the study needs --colour",
                                           format_unknown_name(flags->y_name, all_names<StudyResult>())));
     flags->y = *result;
-    return against_figure(read_plot_inputs(files.inputs, flags->methods), *flags);
+    return against_figure(read_plot_inputs(files.inputs, flags->methods, cycle), *flags);
   };
 }
 

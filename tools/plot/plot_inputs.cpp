@@ -112,11 +112,11 @@ MethodChoice resolve_methods(MethodChoice choice, const Names& known) {
   return choice;
 }
 
-std::vector<SourceDocument> read_documents(const std::vector<std::string>& files) {
+/// Reads the documents of all files. `failures`: number of failures among them, which are left out.
+std::vector<SourceDocument> read_documents(const std::vector<std::string>& files, int& failures) {
   if (files.empty()) throw InputError("FILES", "no file is given; name run records and predictions to draw");
   require_one_standard_input(files);
   std::vector<SourceDocument> documents;
-  int failures = 0;
   for (const std::string& path : files) {
     if (is_trajectory(path)) {
       documents.push_back({path, run_of_trajectory(path)});
@@ -134,12 +134,19 @@ std::vector<SourceDocument> read_documents(const std::vector<std::string>& files
       documents.push_back({source, swimming_from_json(json, source)});
     }
   }
-  if (documents.empty())
-    throw InputError("FILES", "all documents are failures; their key \"reason\" says why there is no result");
-  if (failures > 0)
-    print_to_stderr(fmt::format(
-        "beadswim-plot: {} documents are failures without results, and are left out\n", failures));
+  if (documents.empty()) report_left_out(failures, failures);
   return documents;
+}
+
+/// Adds the swimmers of a run that have the chosen cycles. Throws InputError if there are none.
+void append(RunRecord run, const std::string& source, const CycleChoice& cycle, PlotInputs& inputs) {
+  if (run.status == RunStatus::failed) throw InputError(source, "the run has failed; run again");
+  const auto lacks_cycles = [&](const SwimmerRecord& each) { return find_cycles(each.cycles, cycle).empty(); };
+  if (std::ranges::all_of(run.swimmers, lacks_cycles))
+    select_cycles(run.swimmers.empty() ? std::vector<CycleStatistics>() : run.swimmers.front().cycles, cycle,
+                  source);
+  std::erase_if(run.swimmers, lacks_cycles);
+  inputs.runs.push_back({source, std::move(run)});
 }
 
 void append(const PredictionDocument& document, const std::string& source, const MethodChoice& choice,
@@ -154,19 +161,37 @@ void append(const PredictionDocument& document, const std::string& source, const
 
 }  // namespace
 
-PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& wanted) {
-  std::vector<SourceDocument> documents = read_documents(files);
+void report_left_out(int left_out, int documents) {
+  if (left_out == documents)
+    throw InputError("FILES", "all documents are failures; their key \"reason\" says why there is no result");
+  if (left_out > 0)
+    print_to_stderr(fmt::format("beadswim-plot: {} of {} documents have no result, and are left out\n",
+                                left_out, documents));
+}
+
+PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& wanted,
+                            const CycleChoice& cycle) {
+  int left_out = 0;
+  std::vector<SourceDocument> documents = read_documents(files, left_out);
+  const int count = static_cast<int>(documents.size()) + left_out;
   require_same_units(documents);
   const MethodChoice choice = resolve_methods(wanted, methods_in(documents));
   PlotInputs inputs;
   inputs.units = units_of(documents.front().document);
+  std::optional<InputError> reason;
   for (SourceDocument& file : documents) {
-    if (auto* run = std::get_if<RunRecord>(&file.document)) {
-      inputs.runs.push_back({file.source, std::move(*run)});
-    } else {
-      append(std::get<PredictionDocument>(file.document), file.source, choice, inputs);
+    try {
+      if (auto* run = std::get_if<RunRecord>(&file.document))
+        append(std::move(*run), file.source, cycle, inputs);
+      else
+        append(std::get<PredictionDocument>(file.document), file.source, choice, inputs);
+    } catch (const InputError& error) {
+      if (!reason) reason = error;
+      ++left_out;
     }
   }
+  if (reason && inputs.runs.empty() && inputs.predictions.empty()) throw *reason;
+  report_left_out(left_out, count);
   inputs.methods = choice.methods.empty() ? methods_of(inputs.predictions) : choice.methods;
   return inputs;
 }

@@ -40,9 +40,14 @@ struct MethodChoice {
   std::string relative_to{};           ///< method of the references; empty: no references
 };
 
-/// Reads run records and predictions from files, which contain one document, or one document per line. Throws
-/// InputError if a document is invalid, if units differ, or if no prediction was made by a method that
-/// `choice` names.
-PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& choice);
+/// Reads run records and predictions from files, which contain one document, or one document per line. Leaves
+/// out, and counts on standard error, what has no result: failures, runs without the chosen cycles, and
+/// predictions that no chosen method made. Throws InputError if a document is invalid, if nothing has a
+/// result, if units differ, or if no prediction was made by a method that `choice` names.
+PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& choice,
+                            const CycleChoice& cycle = {});
+
+/// Prints how many of `documents` have no result, if there are any. Throws InputError if none has.
+void report_left_out(int left_out, int documents);
 
 }  // namespace beadswim

@@ -156,6 +156,11 @@ std::string range_text(const std::vector<double>& numbers, int digits) {
   return first == last ? first : first + " to " + last;
 }
 
+std::string cycles_text(const std::vector<double>& cycles) {
+  const std::string range = range_text(cycles, 4);
+  return range + (range == "1" ? " cycle" : " cycles");
+}
+
 std::string summarise_names(const std::set<std::string>& names, const std::string& plural) {
   constexpr std::size_t max_names = 3;
   if (names.size() > max_names) return fmt::format("{} {}", names.size(), plural);
@@ -186,19 +191,22 @@ std::vector<RunGroup> runs_by_setting(const PlotInputs& inputs) {
 Note run_note(const PlotInputs& inputs, std::optional<Abscissa> abscissa) {
   if (inputs.runs.empty()) return {};
   const auto period = [](const RunRecord& record) { return std::optional(record.driving.period); };
-  const auto depth = [](const RunRecord& record) {
-    return std::optional(record.dimensionless.penetration_depth_over_radius);
+  const auto if_known = [](double number) { return number > 0 ? std::optional(number) : std::nullopt; };
+  const auto depth = [&](const RunRecord& record) {
+    return if_known(record.dimensionless.penetration_depth_over_radius);
   };
-  const auto reynolds = [](const RunRecord& record) {
-    return std::optional(record.dimensionless.reynolds_bead);
+  const auto reynolds = [&](const RunRecord& record) { return if_known(record.dimensionless.reynolds_bead); };
+  const auto named = [](const std::string& name, const std::string& range) {
+    return range.empty() ? "" : name + " = " + range;
   };
-  const std::string reynolds_text = "Re = " + run_range(inputs, 2, reynolds);
+  const std::string reynolds_text = named("Re", run_range(inputs, 2, reynolds));
   std::string text =
-      "Runs: " + join_texts({abscissa == Abscissa::period ? "" : "T = " + run_range(inputs, 6, period),
-                             abscissa ? "" : "δ/λ = " + run_range(inputs, 3, depth), reynolds_text});
+      "Runs: " + join_texts({abscissa == Abscissa::period ? "" : named("T", run_range(inputs, 6, period)),
+                             abscissa ? "" : named("δ/λ", run_range(inputs, 3, depth)), reynolds_text});
   if (const std::string lattice = lattice_text(inputs); !lattice.empty()) text += "; " + lattice;
   if (const std::string box = shared_setting(inputs, 5); !box.empty()) text += "; " + box;
-  return {.text = text, .summary = fmt::format("{} runs: {}", inputs.runs.size(), reynolds_text)};
+  return {.text = text,
+          .summary = reynolds_text.empty() ? "" : fmt::format("{} runs: {}", inputs.runs.size(), reynolds_text)};
 }
 
 std::vector<Note> prediction_notes(const PlotInputs& inputs, Abscissa abscissa) {

@@ -46,6 +46,9 @@ Note reading_note(const PlotInputs& inputs);
 /// `plural`: the word after the number.
 std::string summarise_names(const std::set<std::string>& names, const std::string& plural);
 
+/// Returns a number of cycles, a range of it, and the noun: "1 cycle", "0.5 to 4 cycles".
+std::string cycles_text(const std::vector<double>& cycles);
+
 /// Returns the range of the numbers, for example "4800" or "1000 to 10000". `digits`: number of significant
 /// digits.
 std::string range_text(const std::vector<double>& numbers, int digits);

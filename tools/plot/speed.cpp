@@ -82,7 +82,8 @@ ErrorReference reference_of(const PlottedRun& run, const CycleChoice& cycle) {
     reference.swimmers.push_back(swimming_of(record, swimmer, cycle, run.source));
     for (const auto& [quantity, uncertainties] : uncertainties_of(swimmer, cycle)) {
       const std::vector<double>& values = reference.swimmers.back().at(quantity);
-      for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::size_t count = quantity == ComparedQuantity::arm_amplitudes ? values.size() : 1;
+      for (std::size_t i = 0; i < count; ++i) {
         const double relative = uncertainties[std::min(i, uncertainties.size() - 1)];
         changes[quantity] += std::pow(relative * values[i], 2);
         squares[quantity] += std::pow(values[i], 2);
@@ -137,7 +138,7 @@ SourceDocument document_of(const PlotInputs& read) {
 ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, const SpeedFlags& flags,
                          const CycleChoice& cycle) {
   const bool has_several_scenes = flags.references.size() > 1;
-  const PlotInputs read = read_plot_inputs({file}, {flags.methods});
+  const PlotInputs read = read_plot_inputs({file}, {flags.methods}, cycle);
   if (read.runs.size() + read.predictions.size() != 1) {
     throw InputError(
         file,
@@ -362,7 +363,7 @@ Drawing add_speed_flags(CLI::App& command) {
     const CycleChoice cycle = parse_cycle_choice(flags->cycle);
     if (!flags->references.empty()) {
       for (const std::string& file : flags->references) require_other_file(file, files.output);
-      return Drawn(speed_figure(read_plot_inputs(files.inputs, {}), *flags, cycle));
+      return Drawn(speed_figure(read_plot_inputs(files.inputs, {}, cycle), *flags, cycle));
     }
     if (flags->cycle != SpeedFlags().cycle) {
       throw InputError("--cycle",

@@ -134,7 +134,7 @@ PointGroup points_by_cycle(const PlotInputs& inputs, const PlottedRun& run, cons
       const bool is_last = &cycle == &swimmer.cycles.back();
       points.x.push_back(cycle.index);
       points.y.push_back(number.in(swimming));
-      points.errors.push_back(is_last ? number.error_in(swimming, uncertainties_of(swimmer, {})) : 0);
+      points.errors.push_back(is_last ? number.error_in(swimming, stated_errors_of(run.record, swimmer, {})) : 0);
     }
   }
   return points;
@@ -175,7 +175,7 @@ PointGroup points_in_sweep(const RunGroup& group, const StrokeNumber& number, co
       points.x.push_back(abscissa_of(*run, swimmer, sweep.abscissa, sweep.cycle));
       const ComparedValues swimming = swimming_of(run->record, swimmer, sweep.cycle, run->source);
       points.y.push_back(number.in(swimming));
-      points.errors.push_back(number.error_in(swimming, uncertainties_of(swimmer, sweep.cycle)));
+      points.errors.push_back(number.error_in(swimming, stated_errors_of(run->record, swimmer, sweep.cycle)));
     }
   }
   return points;
@@ -295,7 +295,8 @@ Drawing add_stroke_flags(CLI::App& command) {
       ->default_str("all");
   return [flags](const PlotFiles& files) {
     const CycleChoice cycle = parse_cycle_choice(flags->cycle);
-    const PlotInputs inputs = read_plot_inputs(files.inputs, {flags->methods});
+    const PlotInputs inputs =
+        read_plot_inputs(files.inputs, {flags->methods}, flags->against ? cycle : CycleChoice{});
     return Drawn(flags->against ? stroke_against(inputs, flags->bonds, {*flags->against, cycle})
                                 : stroke_by_cycle(inputs, flags->bonds));
   };

@@ -184,7 +184,10 @@ Note types_note(const Layout& layout) {
   return {.text = layout.types.size() == 1 ? type_notes(layout).front() : summary, .summary = summary};
 }
 
-Note colours_note(SwarmColours colours) {
+/// Returns what the colours mean; an empty note if all swimmers have the same.
+Note colours_note(SwarmColours colours, const std::vector<PicturedSwimmer>& swimmers) {
+  const auto is_first = [&](const PicturedSwimmer& one) { return one.colour == swimmers.front().colour; };
+  if (std::ranges::all_of(swimmers, is_first)) return {};
   switch (colours) {
     case SwarmColours::blocks:
       return {.text = "Blocks of swimmers alternate in colour."};
@@ -233,9 +236,11 @@ SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlag
       .swimmers = copies_of(cell, options),
       .keys = keys(scene.layout, options.colours),
       .marks = marks(cell, options.marks),
-      .notes = {{.text = scene_text(scene, repeat)}, colours_note(options.colours), types_note(scene.layout)},
       .length_unit = length_unit(scene.layout.units),
       .origin = scene.origin};
+  picture.notes = {{.text = scene_text(scene, repeat)},
+                   colours_note(options.colours, picture.swimmers),
+                   types_note(scene.layout)};
   if (options.distances) picture.distances = distances(scene, picture.swimmers, options.block_swimmers);
   return picture;
 }

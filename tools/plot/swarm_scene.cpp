@@ -7,6 +7,7 @@
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
+#include "plot_labels.hpp"
 
 namespace beadswim {
 namespace {
@@ -29,7 +30,7 @@ SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wante
   const TrajectoryHeader& header = file.reader.header();
   const TrajectoryFrame frame = file.reader.frame(select_frame(file, wanted));
   SwarmScene scene{.source = file.source,
-                   .time_text = fmt::format("after {:.4g} cycles", frame.time / file.period()),
+                   .time_text = fmt::format("after {}", cycles_text({frame.time / file.period()})),
                    .is_layout = false,
                    .layout = file.layout,
                    .in_layout = file.in_layout,

@@ -37,6 +37,8 @@ struct TrajectoryFlags {
 };
 
 constexpr std::size_t max_curves = 12;  // readers cannot distinguish more curves
+constexpr std::size_t max_solid = 7;    // colours that readers can distinguish
+constexpr double max_dashed = 30;       // cycles in which dashes can be distinguished from oscillations
 
 std::vector<TrajectoryFile> open_all(const std::vector<std::string>& paths) {
   if (paths.empty()) throw InputError("FILES", "no file is given; name trajectories (.h5md) to draw");
@@ -131,7 +133,7 @@ std::vector<Series> curves_of(const TrajectoryFile& file, bool several_files, co
   return curves;
 }
 
-void require_few(std::size_t curves) {
+void require_few(std::size_t curves, std::size_t max_curves) {
   if (curves <= max_curves) return;
   throw InputError("--swimmers", fmt::format("the figure would have {} curves, but at most {} can be "
                                              "distinguished; name fewer swimmers or beads",
@@ -149,10 +151,30 @@ Note scenes_note(const std::vector<TrajectoryFile>& files) {
     spaces.insert(in_words(file.layout.domain));
   }
   const std::string count = range_text(swimmers, 6);
-  return {.text = fmt::format("{} swimmer{}, T = {}, {}; {} cycles", count, count == "1" ? "" : "s",
+  return {.text = fmt::format("{} swimmer{}, T = {}, {}; {}", count, count == "1" ? "" : "s",
                               range_text(periods, 6),
                               spaces.size() == 1 ? *spaces.begin() : fmt::format("{} boxes", spaces.size()),
-                              range_text(cycles, 4))};
+                              cycles_text(cycles))};
+}
+
+/// Returns how to read the figure. Coordinates differ from wrapped ones only if a box is periodic.
+Note reading_note(const std::vector<TrajectoryFile>& files, bool is_by_time, int axis) {
+  const auto is_wrapped = [&](const TrajectoryFile& file) {
+    return file.layout.domain.box && file.layout.domain.box->is_periodic(axis);
+  };
+  std::vector<std::string> texts;
+  if (!is_by_time) texts.emplace_back("Points at the ends of cycles.");
+  if (std::ranges::any_of(files, is_wrapped)) texts.emplace_back("Coordinates are not wrapped into the box.");
+  if (is_by_time) texts.emplace_back("The mean slope over a cycle is the velocity, mean flow included.");
+  return {.text = fmt::format("{}", fmt::join(texts, " "))};
+}
+
+/// Makes the lines of a long figure solid, each in its own colour: dashes would look like slow oscillations.
+void make_solid(std::vector<Series>& curves) {
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    curves[c].colour = static_cast<int>(c);
+    curves[c].dash = 0;
+  }
 }
 
 /// Returns the place of a bead among the beads of its swimmer, or its number if it has no name.
@@ -178,21 +200,22 @@ Figure trajectory_figure(const std::vector<std::string>& paths, const Trajectory
   const std::vector<TrajectoryFile> files = open_all(paths);
   std::size_t swimmers = 0;
   for (const TrajectoryFile& file : files) swimmers += selected_swimmers(file, options).size();
-  require_few(swimmers * static_cast<std::size_t>(beads_per_swimmer(options)));
   const bool by_time = options.against == Against::time;
+  const bool is_long = by_time && std::ranges::any_of(files, [](const TrajectoryFile& file) {
+    return file.reader.times().back() > max_dashed * file.period();
+  });
+  require_few(swimmers * static_cast<std::size_t>(beads_per_swimmer(options)),
+              is_long ? max_solid : max_curves);
   const std::string across = fmt::format("angle of the axis to the plane across {}", "xyz"[options.axis]);
   Panel panel{.x_label = by_time ? AxisLabel{"time", "cycles of the driving"} : AxisLabel{across, "degrees"},
               .y_label = {std::string(1, "xyz"[options.axis]), length_unit(files.front().layout.units)}};
   for (const TrajectoryFile& file : files)
     std::ranges::move(curves_of(file, files.size() > 1, options), std::back_inserter(panel.series));
   style_bead_curves(beads_per_swimmer(options), panel.series);
-  return {
-      .title = title_of(files, options),
-      .panels = {std::move(panel)},
-      .notes = {{.text = by_time ? "Coordinates are not wrapped into the box. The mean slope over a cycle "
-                                   "is the velocity, mean flow included."
-                                 : "Points at the ends of cycles. Coordinates are not wrapped into the box."},
-                scenes_note(files)}};
+  if (is_long) make_solid(panel.series);
+  return {.title = title_of(files, options),
+          .panels = {std::move(panel)},
+          .notes = {reading_note(files, by_time, options.axis), scenes_note(files)}};
 }
 
 }  // namespace

@@ -159,8 +159,8 @@ Drawing add_velocity_flags(CLI::App& command, Abscissa abscissa) {
              std::string("Axes; auto is ") + (abscissa == Abscissa::separation_ratio ? "log-log" : "log-y") +
                  " where velocities are positive and span over two decades, else linear");
   return [flags, abscissa](const PlotFiles& files) {
-    parse_cycle_choice(flags->cycle);
-    return Drawn(velocity_figure(read_plot_inputs(files.inputs, flags->methods), abscissa, *flags));
+    const CycleChoice cycle = parse_cycle_choice(flags->cycle);
+    return Drawn(velocity_figure(read_plot_inputs(files.inputs, flags->methods, cycle), abscissa, *flags));
   };
 }
 

@@ -10,9 +10,11 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
+#include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"
 #include "beadswim/figure/error_figure.hpp"
+#include "plot_inputs.hpp"
 #include "plot_labels.hpp"
 
 namespace beadswim {
@@ -71,10 +73,16 @@ std::vector<PlottedVerdict> read_verdicts(const std::vector<std::string>& files,
   if (files.empty())
     throw InputError("FILES", "no file is given; name verdicts, or run records and --reference");
   std::vector<PlottedVerdict> verdicts;
+  int failures = 0;
   for (const std::string& path : files) {
-    for (const SourceJson& document : read_json_documents(path, "a verdict"))
-      verdicts.push_back(verdict_in(document, methods));
+    for (const SourceJson& document : read_json_documents(path, "a verdict")) {
+      if (is_failure(document.json))
+        ++failures;
+      else
+        verdicts.push_back(verdict_in(document, methods));
+    }
   }
+  report_left_out(failures, static_cast<int>(verdicts.size()) + failures);
   return verdicts;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/documents/failure_document.hpp"
+#include "beadswim/io/document_stream.hpp"
 
 namespace beadswim {
 namespace {
@@ -28,10 +30,32 @@ const SwimmerRecord& find_swimmer_record(const RunRecord& run, std::optional<int
                   which, run.swimmers.size()));
 }
 
+/// Returns the only run of a file that has a stroke. Counts other documents on standard error.
+RunRecord run_with_stroke(const std::string& path) {
+  DocumentStream documents({path});
+  std::vector<RunRecord> runs;
+  int count = 0;
+  for (; const auto member = documents.next(); ++count) {
+    const Json json = parse_json(member->text, member->source);
+    if (is_failure(json)) continue;
+    RunRecord run = run_record_from_json(json, member->source);
+    const auto has_cycle = [](const SwimmerRecord& swimmer) { return !swimmer.cycles.empty(); };
+    if (documents.is_single() || std::ranges::any_of(run.swimmers, has_cycle)) runs.push_back(std::move(run));
+  }
+  if (runs.size() != 1)
+    throw InputError("--stroke-from " + path, fmt::format("{} of {} documents are runs with a complete cycle; "
+                                                          "give the record of one such run",
+                                                          runs.size(), count));
+  if (count > 1)
+    print_to_stderr(fmt::format("beadswim-theory: {} of {} documents of {} have no result, and are left out\n",
+                                count - 1, count, path));
+  return std::move(runs.front());
+}
+
 }  // namespace
 
 MeasuredStroke read_measured_stroke(const std::string& path, std::optional<int> swimmer) {
-  const RunRecord run = read_run_record(path);
+  const RunRecord run = run_with_stroke(path);
   const SwimmerRecord& record = find_swimmer_record(run, swimmer, path);
   if (record.cycles.empty()) {
     throw InputError("--stroke-from " + path,

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include "beadswim/core/error.hpp"
 
@@ -16,14 +18,29 @@ constexpr int black = 6;  // index in the palette
 // wrong.
 const std::string front_text = "On the front, no other run is both cheaper and more accurate.";
 
-void require_plottable(const ErrorPoint& point, const std::string& quantity, const std::string& cost) {
-  if (point.error > 0 && std::isfinite(point.error) && point.cost > 0 && std::isfinite(point.cost)) return;
+/// Returns true if logarithmic axes can show the point.
+bool is_plottable(const ErrorPoint& point) {
+  return point.error > 0 && std::isfinite(point.error) && point.cost > 0 && std::isfinite(point.cost);
+}
+
+/// Removes the points that logarithmic axes cannot show, and returns their number. Throws InputError if no
+/// point remains.
+std::size_t remove_others(QuantityErrors& errors, const std::string& cost) {
+  std::vector<ErrorPoint> removed;
+  std::size_t kept = 0;
+  for (ErrorSeries& series : errors.series) {
+    std::ranges::copy_if(series.points, std::back_inserter(removed), std::not_fn(is_plottable));
+    std::erase_if(series.points, std::not_fn(is_plottable));
+    kept += series.points.size();
+  }
+  if (kept > 0 || removed.empty()) return removed.size();
+  const ErrorPoint& point = removed.front();
   throw InputError(
       point.source,
       fmt::format("the run has an error of {:g} in the {} and a cost of {:g} {}, but a logarithmic axis "
                   "needs positive finite numbers; leave this file out if it is the reference itself, or draw "
                   "another quantity",
-                  point.error, quantity, point.cost, cost));
+                  point.error, errors.quantity, point.cost, cost));
 }
 
 /// Returns the Pareto front in order of increasing cost: each of its points has a smaller error than all
@@ -56,10 +73,11 @@ void append(const std::vector<ErrorPoint>& points, Series& series) {
   }
 }
 
-/// Adds a panel, and a note that names the most accurate point. `labels`: labels of all series, in the order
-/// of their styles.
-void add_panel(const QuantityErrors& errors, const std::string& cost, const std::vector<std::string>& labels,
+/// Adds a panel, and a note that names the most accurate point and counts what is not drawn. `labels`: labels
+/// of all series, in the order of their styles.
+void add_panel(QuantityErrors errors, const std::string& cost, const std::vector<std::string>& labels,
                Figure& figure) {
+  const std::size_t removed = remove_others(errors, cost);
   Panel panel{.x_label = {cost, "s"},
               .y_label = {"error of the " + errors.quantity, "%"},
               .x_scale = ScaleKind::logarithmic,
@@ -67,7 +85,7 @@ void add_panel(const QuantityErrors& errors, const std::string& cost, const std:
               .title = errors.scene};
   std::vector<ErrorPoint> points;
   for (const ErrorSeries& one : errors.series) {
-    for (const ErrorPoint& point : one.points) require_plottable(point, errors.quantity, cost);
+    if (one.points.empty()) continue;
     const auto position = static_cast<int>(std::ranges::find(labels, one.label) - labels.begin());
     Series series{.label = one.label,
                   .mark = Mark::line_and_points,
@@ -85,11 +103,13 @@ void add_panel(const QuantityErrors& errors, const std::string& cost, const std:
   panel.series.push_back(std::move(line));
   if (errors.uncertainty) panel.series.push_back(uncertainty_line(points, uncertainty));
   figure.panels.push_back(std::move(panel));
-  figure.notes.push_back({.text = fmt::format("{}{}{}: {}.", errors.scene.empty() ? "" : errors.scene + ": ",
+  figure.notes.push_back({.text = fmt::format("{}{}{}: {}{}.", errors.scene.empty() ? "" : errors.scene + ": ",
                                               front.back().error <= uncertainty
                                                   ? "Cheapest within the uncertainty of the reference, "
                                                   : "Most accurate ",
-                                              errors.quantity, front.back().name)});
+                                              errors.quantity, front.back().name,
+                                              removed > 0 ? fmt::format("; not drawn for lack of an error: {}", removed)
+                                                          : "")});
 }
 
 }  // namespace

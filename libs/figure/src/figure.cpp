@@ -419,7 +419,7 @@ std::vector<std::string> csv_lines(const Panel& panel, const Series& series) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     if (!std::isfinite(series.y[i])) continue;
-    const bool has_error = i < series.errors.size() && series.errors[i] > 0;  // 0: none is stated
+    const bool has_error = error_at(series, i) > 0 && series.emphasis == Emphasis::plain;  // as drawn
     const std::string error = has_error ? fmt::format("{}", series.errors[i]) : "";
     lines.push_back(fmt::format("{},{},{},{}\n", names, series.x[i], series.y[i], error));
   }
