@@ -97,6 +97,35 @@ over_wall 8 >near.json
 run beadswim-run near.json -o near.h5md "${settings[@]}" --cycles 0.2
 check 'a warning although no bead approaches' holds '.warnings | all(.code != "wall-approach")' out
 
+# --- oseen is refused, and stops, where its mobility is not positive: below 9/8 radii over a wall, and where beads of a row nearly touch
+beadswim-layout shape sphere --radius 1 --half-space z --position 0,0,1.1 --force 1e-4 --amplitude 0 >low.json
+refuses 'the mobility of oseen is not positive definite at rest: .* bead 1 of swimmer 0, .*use --model rpy' \
+  beadswim-run low.json -o low.h5md --model oseen --cycles 1
+refuses 'oseen-ode: .*not positive definite' beadswim-theory low.json --method oseen-ode
+row() { # SPACING AMPLITUDE
+  beadswim-layout shape chain --unbounded | jq --argjson spacing "$1" --argjson amplitude "$2" '.types[] |= (
+    .beads = [range(40) | {radius: 1, density: 1, at: [$spacing * ., 0, 0]}] | .bonds = [range(39) | {beads: [. + 1, . + 2], stiffness: 1}]
+    | .angles = [] | .driving |= (del(.forces, .net_force) | .bonds = [range(39) | {bond: (. + 1), rest_length: [{amplitude: $amplitude, phase: 0}]}]))'
+}
+row 2.03 1e-6 >row.json
+refuses 'the mobility of oseen is not positive definite at rest' beadswim-run row.json -o row.h5md --model oseen --cycles 1
+jq '.domain = {lengths: [120, 40, 40], boundary: ["periodic", "periodic", "periodic"]} | .swimmers[0].position = [20, 20, 20]' row.json >boxed.json
+refuses 'the mobility of oseen is not positive definite at rest' beadswim-run boxed.json -o row.h5md --model oseen --cycles 1
+row 2.3 0.27 >row.json
+run beadswim-run row.json -o row.h5md --model oseen --cycles 1 --progress none
+has_status 3
+err_has 'not positive definite any more: .*use --model rpy'
+row 2.3 0.1 >row.json
+run beadswim-run row.json -o row.h5md --model oseen --cycles 1 --progress none
+has_status 0
+
+# --- the stated error of one sphere near the wall is at least that of Brenner's exact mobility
+over_wall 4.6 >near.json  # 1.15 radii: 0.1267
+for model in oseen:0.82 rpy:1.4 multipole:0.4; do
+  run beadswim-run near.json -o near.h5md --model "${model%:*}" --cycles 0.1 --progress none
+  check "$model states too small an error" holds ".expected_error.velocity > ${model#*:}" out
+done
+
 # --- pages and figures show the wall; the page of docs has the table of its records
 writes_file() { # the command writes a file and no error
   run "$@"

@@ -49,6 +49,13 @@ TEST(ShapesOverAWall, ATowedBeadMovesAsByTheFormula) {
   }
 }
 
+// The mobility of a point force across the wall, 1 - 9/(8 H), is not positive.
+TEST(ShapesOverAWall, RefusesOseenWhereItsMobilityIsNotPositive) {
+  for (const double H : {1.01, 1.1, 1.124})
+    EXPECT_THROW(periodic_motion(towed_bead(Vec3(1e-4, 0, 0), H), oseen_pairs), InputError);
+  EXPECT_GT(periodic_motion(towed_bead(Vec3(0, 0, 1e-4), 1.13), oseen_pairs).velocity.z(), 0);
+}
+
 /// Returns three beads with arms of these lengths, at the pitch angle above the x axis.
 ShapedSwimmer swimmer(const std::array<double, 2>& arms, double phase, double pitch) {
   ThreeBeadSwimmer three;

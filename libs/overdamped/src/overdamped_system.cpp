@@ -1,5 +1,7 @@
 #include "beadswim/overdamped/overdamped_system.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +10,7 @@
 #include "beadswim/core/setting.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "implicit_step.hpp"
+#include "lowest_mobility.hpp"
 
 namespace beadswim {
 namespace {
@@ -70,6 +73,14 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
   state_.positions.fill(rest_positions(scene_));
   state_.velocities.fill(nowhere);
   state_.distant.fill(nowhere);
+  if (scene_.model == MobilityModel::oseen)
+    lowest_mobility_ = std::make_unique<LowestMobility>(scene_, mobility_, radii_, communicator_);
+  if (const auto fault = mobility_fault())
+    throw InputError(Setting::model,
+                     fmt::format("the mobility of oseen is not positive definite at rest: forces would move "
+                                 "beads backwards, most of all bead {} of swimmer {}, because beads are too "
+                                 "close to each other or to a wall; use {} rpy",
+                                 fault->bead, fault->swimmer, Setting::model));
   solve_initial_velocities();
 }
 
@@ -240,6 +251,7 @@ void OverdampedSystem::accept(Step step) {
   keep(state_.distant, std::move(step.distant));
   ++state_.steps_done;
   check_faults();
+  if (!fault_) fault_ = mobility_fault();
   if (!is_converged_ && !fault_)
     fault_ = {.kind = OverdampedFaultKind::not_converged, .step = state_.steps_done};
 }
@@ -257,6 +269,19 @@ void OverdampedSystem::step() {
       state_.smallest_relative_height = std::min(
           state_.smallest_relative_height, scene_.half_space->height(state_.positions[0][b]) / radii_[b]);
   }
+}
+
+/// Returns the fault of a mobility that is not positive definite.
+std::optional<OverdampedFault> OverdampedSystem::mobility_fault() const {
+  const auto bead = lowest_mobility_ ? lowest_mobility_->reversed_bead(positions()) : std::nullopt;
+  if (!bead) return std::nullopt;
+  const std::vector<BeadRange> ranges = bead_ranges(scene_);
+  const auto owner = std::ranges::upper_bound(ranges, *bead, {}, &BeadRange::first) - 1;
+  return OverdampedFault{.kind = OverdampedFaultKind::not_positive,
+                         .step = state_.steps_done,
+                         .swimmer = scene_.swimmers[owner - ranges.begin()].id,
+                         .bead = static_cast<int>(*bead - owner->first) + 1,
+                         .position = positions()[*bead]};
 }
 
 /// Records the first fault in this step, if there is one. Each rank stores all beads, so that all ranks find

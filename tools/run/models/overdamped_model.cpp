@@ -150,6 +150,11 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
           "bead {} {} overlaps the wall by {:.3g} radii; increase --steps-per-cycle, or reduce the driving "
           "amplitude",
           fault.bead, place, fault.value);
+    case OverdampedFaultKind::not_positive:
+      return fmt::format(
+          "the mobility is not positive definite any more: forces would move beads backwards, most of all bead "
+          "{} {}, because beads are too close to each other or to a wall; use --model rpy",
+          fault.bead, place);
     case OverdampedFaultKind::not_converged:
       return "the solver for the velocities and forces of a step did not converge; increase "
              "--steps-per-cycle, or reduce the driving amplitude or the damping" +

@@ -103,6 +103,7 @@ std::optional<ShapeCycle> integrate_cycle(const ShapedSwimmer& swimmer, PairTens
   ShapeCycle cycle;
   BeadVectors x = start;
   for (int s = 0;; ++s) {
+    flow.require_positive_mobility(x);
     cycle.beads.push_back(x);
     cycle.velocities.push_back(as_beads(flow.velocities(x, s * h)));
     if (s == steps) return cycle;

@@ -1,9 +1,11 @@
 #include "shape_flow.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
+#include "beadswim/core/error.hpp"
 #include "beadswim/mobility/wall_mobility.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_matrices.hpp"
@@ -56,6 +58,14 @@ ShapeFlow::ShapeFlow(const ShapedSwimmer& swimmer, PairTensorLaw law)
     : swimmer_(swimmer),
       law_(law),
       is_damped_(std::ranges::any_of(swimmer.type.bonds, [](const Bond& bond) { return bond.damping > 0; })) {
+}
+
+void ShapeFlow::require_positive_mobility(const BeadVectors& beads) const {
+  if (law_ != oseen_pairs || mobility(beads).llt().info() == Eigen::Success) return;  // others always are
+  throw InputError("stroke",
+                   "the mobility by the Oseen tensor is not positive definite: forces would move beads "
+                   "backwards, because beads are too close to each other or to the wall; use a method with "
+                   "Rotne-Prager pairs");
 }
 
 Eigen::MatrixXd ShapeFlow::mobility(const BeadVectors& beads) const {

@@ -41,6 +41,9 @@ class ShapeFlow {
  public:
   ShapeFlow(const ShapedSwimmer& swimmer, PairTensorLaw law);
 
+  /// Throws InputError if mu is not positive definite.
+  void require_positive_mobility(const BeadVectors& beads) const;
+
   Eigen::MatrixXd mobility(const BeadVectors& beads) const;                 ///< mu
   Eigen::MatrixXd damping(const BeadVectors& beads) const;                  ///< C
   Eigen::VectorXd forces(const BeadVectors& beads, double time) const;      ///< F

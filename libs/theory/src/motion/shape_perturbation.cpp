@@ -122,6 +122,7 @@ class ShapeExpansion {
         nodes_(std::max(9, 4 * highest_multiple(swimmer.type.driving) + 3)) {
     require_relaxed_angles(swimmer.type, shape_);
     const ShapeFlow flow(swimmer, law);
+    flow.require_positive_mobility(shape_);
     mobility_ = flow.mobility(shape_);
     damping_ = flow.damping(shape_);
     stiffness_ = own_stiffness<Eigen::Dynamic>(with_drives_scaled(swimmer.type, 0), 0, shape_);

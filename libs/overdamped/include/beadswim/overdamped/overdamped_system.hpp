@@ -54,6 +54,7 @@ enum class OverdampedFaultKind {
   torn_arm,       ///< an arm exceeds twice its rest length; value: length [rest length]
   wall,           ///< the centre of a bead is beyond a wall; value: distance beyond it [length]
   no_slip_wall,   ///< a bead overlaps the wall of a half-space; value: depth of the overlap [radius]
+  not_positive,   ///< model oseen: the mobility is not positive definite; bead: moves most against forces
   not_converged,  ///< the linear solver of a step did not converge; swimmer and bead are 0
 };
 
@@ -101,6 +102,7 @@ struct OverdampedState {
 };
 
 class ImplicitStep;
+class LowestMobility;
 struct ImplicitStepResult;
 struct StepHistory;
 struct StepRule;
@@ -108,7 +110,7 @@ struct StepRule;
 class OverdampedSystem {
  public:
   /// Places the beads at their rest positions at time 0. Throws InputError if the scene is invalid for the
-  /// mobility product, for example if a radius is. Collective.
+  /// mobility product, for example if a radius is, or if the mobility is not positive definite. Collective.
   OverdampedSystem(OverdampedScene scene, const Communicator& communicator);
   ~OverdampedSystem();
 
@@ -162,12 +164,14 @@ class OverdampedSystem {
   void take_bdf_step();
   void accept(Step step);
   void check_faults();
+  std::optional<OverdampedFault> mobility_fault() const;
 
   OverdampedScene scene_;
   const Communicator& communicator_;
   std::vector<double> radii_;  ///< radius of each bead [length]
   MobilityProduct mobility_;
   std::unique_ptr<ImplicitStep> implicit_step_;
+  std::unique_ptr<LowestMobility> lowest_mobility_;  ///< null: the mobility is always positive definite
   OverdampedState state_;
   bool is_converged_ = true;  ///< true if all steps so far converged
   std::optional<OverdampedFault> fault_;
