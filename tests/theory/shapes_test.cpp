@@ -58,6 +58,24 @@ TEST(SecondOrderMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
   }
 }
 
+// A velocity of 1e-7 of the speed of the beads, whose error is that of a motion that is nearly periodic.
+TEST(PeriodicMotionOfShapes, StatesAnUpperBoundOfItsError) {
+  CollinearSwimmer line = paper_swimmer(2000);
+  line.radius = {1, 2, 3};
+  line.arm = {640, 960};
+  line.stiffness = {0.01, 0.01};
+  line.amplitude = {0.5, 0.7};
+  line.phase = 0.7;
+  const MobilityFunction mobility = [&](const LinePositions& x) {
+    return pairwise_mobility(rotne_prager, line.radius, x, line.viscosity);
+  };
+  const double expected = periodic_motion(line, rest_positions(line), mobility).velocity;
+  const Eigen::Matrix3d orientation = some_orientation();
+  const PeriodicShapeMotion motion = periodic_motion(shaped(line, orientation), rotne_prager_tensor);
+  EXPECT_LT((motion.velocity - expected * orientation.col(0)).norm(), motion.numerical_error);
+  EXPECT_LT(motion.numerical_error, 1e-4 * expected);
+}
+
 TEST(PeriodicMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
   const Eigen::Matrix3d orientation = some_orientation();
   CollinearSwimmer line = paper_swimmer(2000);

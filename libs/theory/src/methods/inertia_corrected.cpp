@@ -224,8 +224,13 @@ double sin_uncertainty(const Eigen::Vector2cd& y, double relative_error) {
 ExactInertia exact_inertia(const Question& question) {
   const OpenFlow& flow = flow_around(three_beads(question.swimmer), question.fluid_density);
   const ExactMotion motion = exact_motion(flow.fine, question.swimmer);
-  const double coarse = exact_motion(flow.coarse, question.swimmer).mean.velocity();
-  return {.flow = flow.fine, .motion = motion, .numerical_error = std::abs(coarse - motion.mean.velocity())};
+  const MeanMotion fine = motion.mean, coarse = exact_motion(flow.coarse, question.swimmer).mean;
+  constexpr double roundoff = 1e-12;  // drift and Reynolds stress may cancel
+  return {.flow = flow.fine,
+          .motion = motion,
+          .numerical_error = std::abs(coarse.by_drift - fine.by_drift) +
+                             std::abs(coarse.by_reynolds_stress - fine.by_reynolds_stress) +
+                             roundoff * (std::abs(fine.by_drift) + std::abs(fine.by_reynolds_stress))};
 }
 
 double amplitude_uncertainty(const Question& question, const ExactMotion& motion, double by_amplitude) {

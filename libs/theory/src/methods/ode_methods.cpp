@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "beadswim/mobility/oseen.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
@@ -71,9 +72,15 @@ PeriodicMotion exact_periodic_motion(const CollinearSwimmer& swimmer) {
 }
 
 Prediction predict_multipole_ode(const Question& question) {
-  Prediction prediction = make_prediction(question, exact_periodic_motion(question.swimmer));
-  constexpr double numerical_error = 1e-8;  // error of multipole series and harmonic balance
-  if (exact_velocity(question)) prediction.uncertainty = numerical_error;
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const PeriodicMotion motion = exact_periodic_motion(swimmer);
+  Prediction prediction = make_prediction(question, motion);
+  constexpr double series_error = 1e-8;        // of multipole series and harmonic balance
+  constexpr double velocity_roundoff = 1e-12;  // relative to the speed of the arms
+  if (exact_velocity(question))
+    prediction.uncertainty = series_error + velocity_roundoff * swimmer.angular_frequency() *
+                                                std::ranges::max(motion.stroke.amplitude) /
+                                                std::abs(motion.velocity);
   prediction.validity = "exact Stokes flow of three spheres (axisymmetric multipoles)";
   prediction.settings.emplace_back("mobility", "exact");
   add_limits(question, prediction);

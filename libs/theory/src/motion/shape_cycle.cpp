@@ -68,9 +68,9 @@ class StepEquations {
 };
 
 /// Returns the beads after a step, by Newton's method, or nothing if it does not converge. The derivative is
-/// evaluated again only where the iteration converges slowly.
-std::optional<BeadVectors> step(const ShapeFlow& flow, const BeadVectors& x, double t, double h,
-                                double size) {
+/// evaluated again only where the iteration converges slowly. Adds an upper bound of the remaining error.
+std::optional<BeadVectors> step(const ShapeFlow& flow, const BeadVectors& x, double t, double h, double size,
+                                double& error) {
   const StepEquations equations(flow, x, t, h);
   VectorXd z = VectorXd::Zero(stages * x.size());
   Eigen::PartialPivLU<MatrixXd> newton(equations.derivative(z));
@@ -86,7 +86,10 @@ std::optional<BeadVectors> step(const ShapeFlow& flow, const BeadVectors& x, dou
     const double largest = change.cwiseAbs().maxCoeff();
     if (!std::isfinite(largest)) break;
     const bool is_slow = largest > fast * last;
-    if (largest <= converged * size || (largest <= roundoff * size && is_slow)) return equations.end(z);
+    if (largest <= converged * size || (largest <= roundoff * size && is_slow)) {
+      error += 2 * largest + std::numeric_limits<double>::epsilon() * size;
+      return equations.end(z);
+    }
     if (is_slow) newton.compute(equations.derivative(z));
     last = largest;
   }
@@ -107,7 +110,7 @@ std::optional<ShapeCycle> integrate_cycle(const ShapedSwimmer& swimmer, PairTens
     cycle.beads.push_back(x);
     cycle.velocities.push_back(as_beads(flow.velocities(x, s * h)));
     if (s == steps) return cycle;
-    const std::optional<BeadVectors> next = step(flow, x, s * h, h, size);
+    const std::optional<BeadVectors> next = step(flow, x, s * h, h, size, cycle.error);
     if (!next) return std::nullopt;
     x = *next;
   }

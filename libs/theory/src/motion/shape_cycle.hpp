@@ -10,6 +10,9 @@ namespace beadswim {
 /// Positions and velocities of the beads at equal intervals of one period, from time 0 to the end.
 struct ShapeCycle {
   std::vector<BeadVectors> beads, velocities;
+  /// Upper bound of the error of positions because the equations of steps are solved, and periodicity is
+  /// reached, approximately [length].
+  double error = 0;
 };
 
 /// Returns the motion over one period from `start`, by the implicit Runge-Kutta method Radau IIA of order 5

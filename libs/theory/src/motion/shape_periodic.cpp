@@ -59,16 +59,24 @@ std::optional<ShapeCycle> periodic_cycle(const ShapedSwimmer& swimmer, PairTenso
   constexpr int settling = 4;
   constexpr double growth = 2;
   AndersonMixing mixing;
+  // Ratio of the changes in successive cycles, which multiply the remaining change by 1/(1 - contraction).
+  constexpr double slowest = 0.9;
+  double contraction = 0.5, last = 0;
   double smallest = std::numeric_limits<double>::infinity();
   for (int cycle = 0; cycle < max_cycles; ++cycle) {
     start = centred(start);
     if (swimmer.is_held()) start = swimmer.orientation * orientation_of(swimmer, start).transpose() * start;
-    const std::optional<ShapeCycle> motion = integrate_cycle(swimmer, law, start, steps);
+    std::optional<ShapeCycle> motion = integrate_cycle(swimmer, law, start, steps);
     if (!motion) return std::nullopt;
     const BeadVectors end = moved_back(swimmer, *motion);
     const double size = start.cwiseAbs().maxCoeff() + swimmer.type.beads[0].radius;
     const double change = (end - start).cwiseAbs().maxCoeff();
-    if (change <= periodic * size) return motion;
+    if (cycle > 0 && cycle < settling) contraction = std::clamp(change / last, contraction, slowest);
+    last = change;
+    if (change <= periodic * size) {
+      motion->error += change / (1 - contraction);
+      return motion;
+    }
     if (cycle < settling || change > growth * smallest) {
       mixing = {};
       start = end;
@@ -178,12 +186,13 @@ PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw 
     start = cycle->beads.front();
     if (!coarse) continue;
     const double reach = motion->mean_shape.cwiseAbs().maxCoeff(), speed = largest_speed(*cycle);
-    const auto is_resolved = [&](double change, double size) {
-      return change <= std::max(resolved * size, roundoff * speed);
+    const auto is_resolved = [&](double difference, double size) {
+      return difference <= std::max(resolved * size, roundoff * speed);
     };
-    motion->numerical_error = (motion->velocity - coarse->velocity).norm();
+    const double change = (motion->velocity - coarse->velocity).norm();
+    motion->numerical_error = change + cycle->error / swimmer.type.driving.period;
     const Vec3 turning = motion->angular_velocity - coarse->angular_velocity;
-    if (is_resolved(motion->numerical_error, motion->velocity.norm()) &&
+    if (is_resolved(change, motion->velocity.norm()) &&
         is_resolved(reach * turning.norm(), reach * motion->angular_velocity.norm()))
       break;
   }
