@@ -151,4 +151,10 @@ for flag in --help --version; do
   has_status 3
 done
 
+# --- a sphere in open space has no gap
+beadswim-layout shape sphere --unbounded >sphere.json
+run beadswim-layout check --json sphere.json
+has_status 0
+check 'the gap of a lone sphere' holds '.smallest_gap == null' out
+
 finish

@@ -67,6 +67,12 @@ bad 'comment' 's/"units"/\/\/ comment\n  "units"/' ' line 3, column '
 bad 'text after the document' 's/$/x/' ' line '
 bad 'two documents' 's/$/{}/' ' line [0-9]+, column 1: a second JSON document begins here, but only one document is read; write one document per line \(JSON Lines\), or select one document, for example with jq'
 
+# Numbers beyond the range of floating-point numbers.
+bad 'a huge box' 's/"lengths": \[[^]]*\]/"lengths": [1e150, 1e150, 1e150]/' ' the box length 1e\+150 is out of range: in units of the smallest radius 4,'
+bad 'a denormal period' 's/"period": [0-9.]*/"period": 1e-320/' ' with the smallest radius .* exceed the range of floating-point numbers'
+bad 'a tiny amplitude' 's/"amplitude": \[[^]]*\]/"amplitude": [1e-200, 0]/' ' the driving amplitude (-?)1e-200 is out of range'
+bad 'a huge stiffness' 's/"stiffness": [0-9.]*/"stiffness": 1e200/' ' the (angular )?stiffness 1e\+200 is out of range'
+
 for length in 1 50 100 500; do
   head -c $length sound.json >bad.json
   refuses 'bad.json: line .*truncated' beadswim-layout check bad.json

@@ -74,8 +74,8 @@ TEST(BeadImages, AreThoseFoundBySearchingAllCells) {
 // At the paper's own resolution the lattice's numbers are the layout's.
 TEST(LatticeScales, AreOneAtThePapersOwnResolution) {
   const LatticeChoice choice = choose_lattice(4, {4, 1.5}, {1, 1.0 / 3}, 4800);
-  EXPECT_EQ(choice.scales.cell, 1);
-  EXPECT_EQ(choice.scales.step, 1);
+  EXPECT_EQ(choice.scales.length, 1);
+  EXPECT_EQ(choice.scales.time, 1);
   EXPECT_EQ(choice.relaxation_time, 1.5);
   EXPECT_EQ(choice.steps_per_period, 4800);
 }
@@ -89,7 +89,7 @@ TEST(LatticeScales, KeepDimensionlessNumbers) {
   type.driving = {.amplitude = {4e-12, 5e-12}, .phase = 1, .period = 0.0123, .frame = DrivingFrame::lab};
   const double nu = 1e-6, rho = 998;
   const LatticeChoice choice = choose_lattice(2.5e-6, {5, 0.9}, {rho, nu}, type.driving.period);
-  const ThreeBeadSwimmer lattice = three_beads(in_lattice_units(swimmer_type(type), choice.scales));
+  const ThreeBeadSwimmer lattice = three_beads(in_units(swimmer_type(type), choice.scales));
   const double nu_lu = lattice_viscosity(choice.relaxation_time);
 
   constexpr double roundoff = 1e-12;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "beadswim/core/error.hpp"
@@ -71,9 +72,11 @@ std::string table_of(const Layout& layout, const SceneNumbers& numbers) {
                                 ? "lattice"
                                 : fmt::format("{}, {}, {}", layout.units.length.name, layout.units.time.name,
                                               layout.units.mass.name);
+  const double gap = numbers.smallest_gap;
   std::string text = "scene\n" + row("swimmers", std::to_string(layout.swimmers.size())) +
                      row("units", units) +
-                     row("smallest gap between surfaces (beads, images, walls)", numbers.smallest_gap);
+                     row("smallest gap between surfaces (beads, images, walls)",
+                         std::isfinite(gap) ? fmt::format("{:.4g}", gap) : "none");
   if (numbers.smallest_relative_height)
     text += row("smallest height over the wall/radius of the bead", *numbers.smallest_relative_height);
   for (const auto& [name, of_type] : numbers.types) text += table_of(name, of_type);

@@ -10,6 +10,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/scene/force_directions.hpp"
+#include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/relaxed_shape.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
@@ -80,20 +81,24 @@ const Swimmer& find_common_swimmer(const Layout& layout, const std::string& sour
 
 /// Returns the measured stroke. Throws InputError if units or driving period of the run differ from those of
 /// the layout.
-Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const MeasuredStroke& measured) {
+Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const MeasuredStroke& measured,
+                  const UnitScales& units) {
   const std::string where = "--stroke-from " + measured.source;
   if (!same_units(layout.units, measured.units)) {
     throw InputError(
         where, "the run's units of length and time differ from the layout's; give a run of the same layout");
   }
   constexpr double period_tolerance = 1e-9;  // relative; allows for rounding errors
-  if (std::abs(measured.period / swimmer.period - 1) > period_tolerance) {
+  const double period = swimmer.period * units.time;
+  if (std::abs(measured.period / period - 1) > period_tolerance) {
     throw InputError(
         where,
         fmt::format("the driving period is {} in the run but {} in the layout; give a run of the same layout",
-                    measured.period, swimmer.period));
+                    measured.period, period));
   }
-  return measured.stroke;
+  Stroke stroke = measured.stroke;
+  for (double& amplitude : stroke.amplitude) amplitude /= units.length;
+  return stroke;
 }
 
 /// Returns true if the method needs a measured stroke, or a box, that the question does not contain, or three
@@ -174,28 +179,30 @@ void check_stroke_is_used(const PredictionDocument& document, const Question& qu
 
 void predict_line(const CollinearSwimmer& line, const Layout& layout, const Swimmer& swimmer,
                   const TheoryRequest& request, const std::optional<MeasuredStroke>& measured,
-                  PredictionDocument& predicted) {
+                  const UnitScales& units, PredictionDocument& predicted) {
   const Surroundings surroundings = surroundings_of(layout, swimmer);
   Question question = with_exact_reference({.swimmer = line,
                                             .fluid_density = layout.fluid.density,
                                             .box = surroundings.box,
                                             .box_obstacle = surroundings.obstacle,
                                             .measured_stroke = {},
-                                            .exact = {}});
-  if (measured) question.measured_stroke = stroke_for(layout, question.swimmer, *measured);
+                                            .exact = {},
+                                            .units = units});
+  if (measured) question.measured_stroke = stroke_for(layout, question.swimmer, *measured, units);
   predict_by(request.methods, question, predicted);
   check_stroke_is_used(predicted, question);
   predicted.warnings = warnings(question, request.tolerance);
 }
 
 void predict_shape(const ShapedSwimmer& shape, const Layout& layout, const TheoryRequest& request,
-                   const std::optional<MeasuredStroke>& measured, PredictionDocument& predicted) {
+                   const std::optional<MeasuredStroke>& measured, const UnitScales& units,
+                   PredictionDocument& predicted) {
   if (measured)
     throw InputError(
         "--stroke-from",
         "no method can use a measured stroke for this swimmer; such methods are for three beads on a "
         "line in fluid at rest");
-  predict_by(request.methods, ShapeQuestion{shape, layout.fluid.density}, predicted);
+  predict_by(request.methods, ShapeQuestion{shape, layout.fluid.density, units}, predicted);
 }
 
 }  // namespace
@@ -203,19 +210,21 @@ void predict_shape(const ShapedSwimmer& shape, const Layout& layout, const Theor
 PredictionDocument predict_layout(const LayoutDocument& document, const std::string& source,
                                   const TheoryRequest& request,
                                   const std::optional<MeasuredStroke>& measured) {
-  const Layout& layout = document.layout;
+  const UnitScales units = natural_units(document.layout);
+  const Layout layout = in_units(document.layout, units);
   const Swimmer& swimmer =
       request.swimmer ? find_swimmer(layout, *request.swimmer, source) : find_common_swimmer(layout, source);
   PredictionDocument predicted;
   predicted.units = layout.units;
   predicted.swimmer = swimmer.id;
-  if (layout.swimmers.size() <= max_swimmers_listed) predicted.scene = layout;
+  if (layout.swimmers.size() <= max_swimmers_listed) predicted.scene = document.layout;
   const TheorySwimmer treated = theory_swimmer(layout, swimmer, source);
   if (const auto* line = std::get_if<CollinearSwimmer>(&treated)) {
-    predict_line(*line, layout, swimmer, request, measured, predicted);
+    predict_line(*line, layout, swimmer, request, measured, units, predicted);
   } else {
-    predict_shape(std::get<ShapedSwimmer>(treated), layout, request, measured, predicted);
+    predict_shape(std::get<ShapedSwimmer>(treated), layout, request, measured, units, predicted);
   }
+  for (Prediction& prediction : predicted.predictions) to_layout_units(prediction, units);
   if (std::string warning = warning_of_fixed_forces(layout); !warning.empty())
     predicted.warnings.push_back(std::move(warning));
   predicted.study = document.study;

@@ -61,6 +61,21 @@ long steps_in_base_period(const Layout& layout, const MobilitySettings& settings
   return (steps + frames_per_cycle - 1) / frames_per_cycle * frames_per_cycle;
 }
 
+/// Converts the scene to these units.
+void convert(OverdampedScene& scene, const UnitScales& units) {
+  for (SwimmerType& type : scene.types) type = in_units(std::move(type), units);
+  for (PlacedSwimmer& swimmer : scene.swimmers) swimmer.position /= units.length;
+  scene.viscosity /= units.viscosity();
+  if (scene.box) scene.box->lengths /= units.length;
+  scene.flow.velocity /= units.velocity();
+  scene.flow.velocity_gradient *= units.time;
+  scene.step /= units.time;
+  if (!scene.memory) return;
+  scene.memory->density /= units.density;
+  scene.memory->step /= units.time;
+  scene.memory->spacing /= units.length;
+}
+
 }  // namespace
 
 OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
@@ -84,6 +99,8 @@ OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, cons
   scene.step = setup.base_period / static_cast<double>(setup.steps_per_cycle);
   if (model == MobilityModel::unsteady)
     scene.memory = fluid_memory(layout, scene, settings.reynolds_stress, source);
+  setup.units = natural_units(layout);
+  convert(scene, setup.units);
   return setup;
 }
 

@@ -101,7 +101,8 @@ std::string lattice_obstacle(const SceneOnLattice& on_lattice, double mach, doub
   return {};
 }
 
-/// Returns the speed of the fastest bead of all representatives, to first order in the driving [length/time].
+/// Returns the speed of the fastest bead of all representatives, to first order in the driving
+/// [SceneFacts::units].
 double largest_speed(const SceneFacts& facts) {
   double speed = 0;
   for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
@@ -117,7 +118,8 @@ double largest_plane_factor(const CoupledScene& scene) {
 }
 
 double mach_of(const SceneOnLattice& on_lattice, const SceneFacts& facts) {
-  return largest_speed(facts) * std::numbers::sqrt3 / on_lattice.lattice.scales.velocity();
+  return largest_speed(facts) * facts.units.velocity() * std::numbers::sqrt3 /
+         on_lattice.lattice.scales.velocity();
 }
 
 void add_cost(PlannedRun& run, const SceneOnLattice& on_lattice, const LatticeSpeed& speed, long steps,
@@ -167,15 +169,16 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
 
 LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const SceneFacts& facts,
                                    double roundoff) {
-  const LatticeScales& scales = on_lattice.lattice.scales;
+  const UnitScales& scales = on_lattice.lattice.scales;
   const ResolvedRun run{.cells_per_radius = on_lattice.resolution.cells_per_radius,
                         .scheme = on_lattice.scene.bead_boundary,
                         .smallest_gap = on_lattice.smallest_gap,
-                        .cell = scales.cell,
+                        .cell = scales.length / facts.units.length,
                         .mach = mach_of(on_lattice, facts),
                         .plane_factor = largest_plane_factor(on_lattice.scene),
-                        .timing = {.step = scales.step,
-                                   .sound_speed = scales.velocity() / std::numbers::sqrt3,
+                        .timing = {.step = scales.time / facts.units.time,
+                                   .sound_speed =
+                                       scales.velocity() / facts.units.velocity() / std::numbers::sqrt3,
                                    .corrects_delay = on_lattice.corrects_delay}};
   const auto by_resolution = [&](const SwimmerFacts& swimmer_facts) {
     if (!swimmer_facts.lag)

@@ -98,8 +98,10 @@ void require_validated(const SceneFacts& facts) {
                   facts.unvalidated));
 }
 
-SceneFacts scene_facts(const Layout& layout, double cycles) {
+SceneFacts scene_facts(const Layout& asked, double cycles) {
   SceneFacts facts;
+  facts.units = natural_units(asked);
+  const Layout layout = in_units(asked, facts.units);
   for (const auto& [name, type] : layout.types)
     if (!three_bead_form(type)) facts.unvalidated = name;
   if (layout.domain.box) {
@@ -127,14 +129,14 @@ SceneFacts scene_facts(const Layout& layout, double cycles) {
 std::string film_obstacle(const SwimmerFacts& swimmer_facts) {
   if (!swimmer_facts.best) return "theory cannot predict the motion: " + swimmer_facts.obstacle;
   if (swimmer_facts.representative.is_stand_in) return {};  // its gaps are not those of the swimmer
-  constexpr double thin = 0.5;                              // relative to the smallest bead radius
-  if (swimmer_facts.best->smallest_stroke_gap >=
-      thin * *std::ranges::min_element(swimmer_facts.representative.question.swimmer.radius))
-    return {};
+  constexpr double thin = 0.5;
+  const double gap = swimmer_facts.best->smallest_stroke_gap /
+                     *std::ranges::min_element(swimmer_facts.representative.question.swimmer.radius);
+  if (gap >= thin) return {};
   return fmt::format(
-      "the smallest gap between beads in the stroke is {:.3g}, where lubrication matters; mobility models "
-      "lack lubrication or approximate it poorly",
-      swimmer_facts.best->smallest_stroke_gap);
+      "the smallest gap between beads in the stroke is {:.3g} bead radii, where lubrication matters; mobility "
+      "models lack lubrication or approximate it poorly",
+      gap);
 }
 
 ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b) {

@@ -24,6 +24,7 @@ struct SwimmerFacts {
 
 /// A scene and the results of theory for its swimmers.
 struct SceneFacts {
+  UnitScales units;       ///< natural_units() of the scene, those of all quantities here
   Layout cell;            ///< smallest cell whose repetition gives the scene
   Index3 cells{1, 1, 1};  ///< number of repetitions along x, y, z
   std::vector<SwimmerFacts> swimmer_facts;

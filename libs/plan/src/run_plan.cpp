@@ -121,7 +121,7 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
 
 void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts) {
   if (const int copies = facts.cells.prod(); copies > 1) {
-    const Vec3& box = facts.cell.domain.box->lengths;
+    const Vec3 box = facts.cell.domain.box->lengths * facts.units.length;
     plan.proposals.push_back({fmt::format(
         "the scene consists of {} copies of a cell of {:g} x {:g} x {:g} with {} of the {} swimmers; a run "
         "of one such cell has 1/{} of the cost of a run of the scene",
@@ -133,12 +133,12 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
   const std::optional<SufficientBox> box =
       sufficient_box(swimmer_facts.representative.question, plan.tolerance / 3);
   constexpr double worthwhile = 0.7;  // largest proposed volume, relative to the box of the layout
-  if (!box || (layout.domain.box && box->lengths.prod() > worthwhile * layout.domain.box->lengths.prod()))
-    return;
+  const auto& present = facts.cell.domain.box;
+  if (!box || (present && box->lengths.prod() > worthwhile * present->lengths.prod())) return;
   int along = 0;
   layout.swimmers.front().axis.cwiseAbs().maxCoeff(&along);
   Vec3 lengths;
-  for (int a = 0; a < 3; ++a) lengths[(along + a) % 3] = box->lengths[a];
+  for (int a = 0; a < 3; ++a) lengths[(along + a) % 3] = box->lengths[a] * facts.units.length;
   plan.proposals.push_back(
       {fmt::format(
            "a single swimmer needs no larger box: theory predicts that this box changes velocity and stroke "

@@ -12,6 +12,7 @@
 
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
+#include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
@@ -466,6 +467,8 @@ std::vector<LayoutFault> check_layout(const Layout& layout) {
   check_body_force(layout, faults);
   check_flow(layout, faults);
   if (layout.domain.box) check_positions(layout, faults);
+  if (faults.empty())
+    if (const std::string fault = range_fault(layout); !fault.empty()) faults.push_back({"", fault});
   if (!faults.empty()) return faults;
 
   const std::vector<PlacedBead> beads = placed_beads(layout);

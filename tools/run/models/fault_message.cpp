@@ -15,8 +15,8 @@ std::string name_of(const BeadName& bead) {
 }
 
 /// Returns the place of a fault as text, in units of the layout: "bead 2 of swimmer 7 at (x, y, z)".
-std::string place_of(const Fault& fault, const LatticeScales& scales) {
-  const Vec3 p = fault.position * scales.cell;
+std::string place_of(const Fault& fault, const UnitScales& scales) {
+  const Vec3 p = fault.position * scales.length;
   return fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_of(fault.bead), p[0], p[1], p[2]);
 }
 
@@ -47,7 +47,7 @@ std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach_s
 }
 
 std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far) {
-  const LatticeScales& scales = on_lattice.lattice.scales;
+  const UnitScales& scales = on_lattice.lattice.scales;
   switch (fault.kind) {
     case FaultKind::speed:
       return fmt::format(
@@ -63,14 +63,14 @@ std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, 
       return fmt::format(
           "{} is too close to a wall: the gap between bead and wall is {:.3g}, less than {:.3g}, half a "
           "cell; use a larger box or weaker driving",
-          place_of(fault, scales), fault.value * scales.cell, min_wall_gap * scales.cell);
+          place_of(fault, scales), fault.value * scales.length, min_wall_gap * scales.length);
     case FaultKind::level:
       return fmt::format(
           "{} is too close to a coarser level of cells: the gap between them is {:.3g}, less than {:.3g}, {} "
           "cells, and the finest level cannot follow it, because no room is left or the bead is too fast; "
           "use "
           "a smaller --refine, or --refine off",
-          place_of(fault, scales), fault.value * scales.cell, min_level_gap * scales.cell, min_level_gap);
+          place_of(fault, scales), fault.value * scales.length, min_level_gap * scales.length, min_level_gap);
     case FaultKind::overlap:
       return fmt::format(
           "{} and {} overlap by {:.3g} of the smaller radius, above the limit of {}; use weaker driving or "

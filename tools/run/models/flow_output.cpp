@@ -30,7 +30,7 @@ std::vector<float> interleaved(const std::vector<double>& plane, int components)
 
 }  // namespace
 
-FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scales, long done, int levels,
+FlowOutput::FlowOutput(const std::string& trajectory, const UnitScales& scales, long done, int levels,
                        const Communicator& communicator)
     : stem_(trajectory + ".flow"),
       scales_(scales),
@@ -84,7 +84,7 @@ std::vector<PvdEntry> FlowOutput::entries_of(long step) const {
   for (int n = 0; n < levels_; ++n) {
     const std::string level = levels_ == 1 ? "" : fmt::format("-{}", n);
     entries.push_back(
-        {.time = static_cast<double>(step) * scales_.step,
+        {.time = static_cast<double>(step) * scales_.time,
          .file = fmt::format("{}/{:09}{}.vti", std::filesystem::path(stem_).filename().string(), step, level),
          .part = n});
   }
@@ -164,7 +164,7 @@ void FlowOutput::write_level(const CoupledSystem& system, int number, const std:
     }
     return;
   }
-  const double edge = std::ldexp(scales_.cell, levels_ - 1 - number);
+  const double edge = std::ldexp(scales_.length, levels_ - 1 - number);
   // The image of the levels in which the centre of the finest level lies in the box.
   const LevelPlace& finest = system.levels().finest().place;
   Index3 offset = lattice.offset;

@@ -18,7 +18,7 @@ class FlowOutput {
   /// Creates the folder for the files. `done`: last step of the earlier run that this run continues, or 0;
   /// removes flow fields of later steps. `levels`: number of levels of cells. Throws InputError if the folder
   /// cannot be created.
-  FlowOutput(const std::string& trajectory, const LatticeScales& scales, long done, int levels,
+  FlowOutput(const std::string& trajectory, const UnitScales& scales, long done, int levels,
              const Communicator& communicator);
 
   const std::vector<long>& steps() const { return steps_; }  ///< steps whose flow fields are listed
@@ -37,7 +37,7 @@ class FlowOutput {
   void remove_after(long done) const;  ///< removes flow fields of later steps, which this run rewrites
 
   std::string stem_;
-  LatticeScales scales_;
+  UnitScales scales_;
   long done_;
   int levels_;
   const Communicator& communicator_;

@@ -28,14 +28,14 @@ std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator
     return fmt::format(
         "{:.3g} cells on {} levels, the finest of {:.6g}, time step {:.6g}, relaxation time {:.6g}, {} steps "
         "per cycle, {} swimmers, {} precision, {:.2g} GB on {} ranks",
-        cells_on_levels(levels), levels.size(), lattice.scales.cell, lattice.scales.step,
+        cells_on_levels(levels), levels.size(), lattice.scales.length, lattice.scales.time,
         lattice.relaxation_time, lattice.steps_per_period, on_lattice.scene.swimmers.size(),
         to_text(on_lattice.scene.precision), 1e-9 * lattice_bytes(on_lattice.scene), communicator.size());
   }
   return fmt::format(
       "{} x {} x {} cells of {:.6g}, time step {:.6g}, relaxation time {:.6g}, {} steps per cycle, {} "
       "swimmers, {} precision, {:.2g} GB on {} ranks",
-      cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step, lattice.relaxation_time,
+      cells[0], cells[1], cells[2], lattice.scales.length, lattice.scales.time, lattice.relaxation_time,
       lattice.steps_per_period, on_lattice.scene.swimmers.size(), to_text(on_lattice.scene.precision),
       1e-9 * lattice_bytes(on_lattice.scene), communicator.size());
 }
@@ -84,9 +84,9 @@ LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, cons
   options = requested;
   options.settings.lattice.cells_per_radius = on_lattice.resolution.cells_per_radius;
   options.settings.lattice.relaxation_time = on_lattice.resolution.relaxation_time;
-  units = {.length = lattice.scales.cell, .time = lattice.scales.step};
+  units = lattice.scales;
   base_period = on_lattice.period;
-  time_step = lattice.scales.step;
+  time_step = lattice.scales.time;
   steps_per_cycle = lattice.steps_per_period;
   for (const SwimmerType& type : on_lattice.scene.types) {
     periods.push_back(type.driving.period);
@@ -158,7 +158,7 @@ std::vector<SwimmerPose> LatticeModel::gather_swimmers(double ahead) const {
 }
 
 ModelTotals LatticeModel::in_layout_units(const SceneTotals& totals) const {
-  const LatticeScales& scales = on_lattice_.lattice.scales;
+  const UnitScales& scales = on_lattice_.lattice.scales;
   return {.momentum = totals.momentum * scales.momentum(),
           .mean_flow = totals.mean_flow * scales.velocity(),
           .mass_excess = totals.mass_excess};

@@ -46,10 +46,10 @@ std::vector<LevelRecord> levels_of(const CoupledScene& scene, double cell) {
 
 /// `scene` is the scene with its present levels.
 LatticeResolution resolution_of(const SceneOnLattice& on_lattice, const CoupledScene& scene) {
-  const LatticeScales& scales = on_lattice.lattice.scales;
+  const UnitScales& scales = on_lattice.lattice.scales;
   return {.cells_per_radius = on_lattice.resolution.cells_per_radius,
-          .cell_size = scales.cell,
-          .time_step = scales.step,
+          .cell_size = scales.length,
+          .time_step = scales.time,
           .relaxation_time = on_lattice.lattice.relaxation_time,
           .kinematic_viscosity_lattice = lattice_viscosity(on_lattice.lattice.relaxation_time),
           .steps_per_cycle = on_lattice.lattice.steps_per_period,
@@ -58,12 +58,12 @@ LatticeResolution resolution_of(const SceneOnLattice& on_lattice, const CoupledS
           .radius_on_lattice = on_lattice.radius_on_lattice(),
           .angular_softening = on_lattice.angular_softening(),
           .precision = to_text(on_lattice.scene.precision),
-          .levels = levels_of(scene, scales.cell)};
+          .levels = levels_of(scene, scales.length)};
 }
 
 NearContactRecord near_contact_of(const CoupledSystem& system, const SceneOnLattice& on_lattice) {
   const NearContactLaw law = near_contact_law(on_lattice.scene);
-  const double cell = on_lattice.lattice.scales.cell, gap = system.smallest_gap();
+  const double cell = on_lattice.lattice.scales.length, gap = system.smallest_gap();
   return {.smallest_gap = std::isfinite(gap) ? std::optional(gap * cell) : std::nullopt,
           .lubrication = on_lattice.scene.lubrication,
           .normal_cut_off = law.range.normal * cell,

@@ -14,6 +14,7 @@
 #include "beadswim/plan/expected_errors.hpp"
 #include "beadswim/plan/run_length.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
+#include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "command_line/options.hpp"
 
@@ -21,18 +22,11 @@
 // describes a run before it begins and makes its Model.
 //
 // Quantities have the units of the layout. Positions and motions of beads are an exception: they have the
-// units of the model [ModelUnits], so that checkpoints store them without conversion.
+// units of the model [ModelPlan::units], so that checkpoints store them without conversion.
 //
 // All functions are collective, except those whose comment says "Local", which any rank may call alone.
 
 namespace beadswim {
-
-/// Units of length and time of a model, expressed in units of the layout.
-struct ModelUnits {
-  double length = 1, time = 1;
-
-  double velocity() const { return length / time; }
-};
 
 /// Id and type of a swimmer.
 struct SwimmerIdentity {
@@ -43,7 +37,7 @@ struct SwimmerIdentity {
 /// Positions and velocities of the beads of a swimmer.
 struct SwimmerPose {
   int id = 0;
-  std::vector<BeadMotion> motion;  ///< [ModelUnits]
+  std::vector<BeadMotion> motion;  ///< [ModelPlan::units]
 };
 
 /// Momentum, mean flow and mass of the scene.
@@ -80,7 +74,7 @@ class Model {
   /// Local.
   virtual SwimmerIdentity own_swimmer(int number) const = 0;
   /// Returns the bead positions of a swimmer that this rank owns at the present time plus `ahead` time steps
-  /// [ModelUnits]. `number`: index from 0 to own_swimmers() - 1. `ahead`: a fraction, positive or negative.
+  /// [ModelPlan::units]. `number`: index from 0 to own_swimmers() - 1. `ahead`: a fraction, positive or negative.
   /// The error is proportional to ahead^3. Local.
   virtual std::vector<Vec3> bead_positions(int number, double ahead) const = 0;
   /// Returns the beads of all swimmers, in the order of their ids, on rank 0, and an empty list on other
@@ -134,7 +128,7 @@ struct ModelPlan {
   }
 
   RunOptions options;  ///< options of the command line, completed by the plan
-  ModelUnits units;
+  UnitScales units;                        ///< of the model, in the units of the layout
   double base_period = 0;                  ///< duration of one cycle of the run [time]
   double time_step = 0;                    ///< [time]
   long steps_per_cycle = 0;                ///< time steps per base cycle
@@ -142,7 +136,7 @@ struct ModelPlan {
   std::vector<std::vector<double>> radii;  ///< radii of the beads of each type [length]
   /// Stiffness of each angular spring of each type in the run, divided by that of the layout; empty: 1.
   std::vector<std::vector<double>> softening;
-  std::vector<PlacedSwimmer> swimmers;  ///< in the order of their ids [ModelUnits]
+  std::vector<PlacedSwimmer> swimmers;  ///< in the order of their ids [ModelPlan::units]
   /// Lattice cells that are updated in a step, as a mean over steps; nullopt: no lattice.
   std::optional<double> updates_per_step;
   /// The state can be written, and the run can end, after a multiple of this number of steps.

@@ -24,23 +24,25 @@ constexpr const char* lattice_over_wall = "--model lbm in a box with the boundar
 
 OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                                const Communicator& ranks)
-    : communicator(ranks), kinematic_viscosity(layout.fluid.kinematic_viscosity) {
+    : communicator(ranks) {
   refuse_flags_of_other_models(requested, requested.settings.model);
   options = requested;
   OverdampedSetup setup =
       overdamped_setup(layout, *mobility_model(requested.settings.model), requested.settings.mobility,
                        requested.settings.frames_per_cycle, source);
   scene = std::move(setup.scene);
+  units = setup.units;
+  kinematic_viscosity = layout.fluid.kinematic_viscosity / (units.length * units.velocity());
   swimmers = scene.swimmers;
   if (const auto& half_space = layout.domain.half_space)
     height_at_rest = smallest_relative_height(placed_beads(layout), *half_space);
   base_period = setup.base_period;
   steps_per_cycle = setup.steps_per_cycle;
-  time_step = scene.step;
+  time_step = scene.step * units.time;
   for (const SwimmerType& type : scene.types) {
-    periods.push_back(type.driving.period / time_step);
+    periods.push_back(type.driving.period / scene.step);
     std::vector<double>& of_type = radii.emplace_back();
-    for (const Bead& bead : type.beads) of_type.push_back(bead.radius);
+    for (const Bead& bead : type.beads) of_type.push_back(bead.radius * units.length);
   }
   if (requested.tolerance)
     warnings.push_back(
@@ -51,7 +53,7 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
         {"periodic-cube",
          fmt::format("the model unsteady replaces open space by a periodic cube of edge {:.6g}; its images "
                      "change the velocity of a lone swimmer by some 0.2 %",
-                     scene.box->lengths[0])});
+                     scene.box->lengths[0] * units.length)});
   announcement = fmt::format(
       "model {}, {} swimmers in {}, relative tolerance {:.3g} of the bead velocities, {} steps per cycle, "
       "on {} ranks",
@@ -83,7 +85,7 @@ SwimmerIdentity OverdampedModel::own_swimmer(int number) const {
 
 BeadMotion OverdampedModel::motion_of(std::size_t bead, double ahead) const {
   const OverdampedState& state = system_.state();
-  const double time = ahead * plan_.time_step;
+  const double time = ahead * plan_.scene.step;
   const Vec3& velocity = state.velocities[0][bead];
   const Vec3 gained = velocity - state.velocities[1][bead];  // change in the last step
   BeadMotion motion;
@@ -119,11 +121,13 @@ ModelTotals OverdampedModel::first_totals() const {
 
 ModelTotals OverdampedModel::totals() {
   if (!plan_.scene.memory) return {};
-  return {.momentum = system_.momentum(), .mean_flow = system_.mean_flow(), .mass_excess = std::nullopt};
+  return {.momentum = system_.momentum() * plan_.units.momentum(),
+          .mean_flow = system_.mean_flow() * plan_.units.velocity(),
+          .mass_excess = std::nullopt};
 }
 
 std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
-  const Vec3& p = fault.position;
+  const Vec3 p = fault.position * plan_.units.length;
   const std::string place =
       fmt::format("of swimmer {} at ({:.6g}, {:.6g}, {:.6g})", fault.swimmer, p[0], p[1], p[2]);
   const std::string other_model = plan_.scene.model == MobilityModel::oseen
@@ -144,7 +148,7 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
       return fmt::format(
           "bead {} {} lies {:.3g} beyond a wall; increase --steps-per-cycle, reduce the driving amplitude, "
           "or enlarge the box",
-          fault.bead, place, fault.value);
+          fault.bead, place, fault.value * plan_.units.length);
     case OverdampedFaultKind::no_slip_wall:
       return fmt::format(
           "bead {} {} overlaps the wall by {:.3g} radii; increase --steps-per-cycle, or reduce the driving "
@@ -183,9 +187,11 @@ void OverdampedModel::describe(RunRecord& record) const {
   const OverdampedState& state = system_.state();
   record.model = to_text(plan_.scene.model);
   record.dimensionless = dimensionless_numbers(plan_.scene.types, state.largest_speed,
-                                               plan_.kinematic_viscosity, plan_.base_period);
+                                               plan_.kinematic_viscosity,
+                                               plan_.base_period / plan_.units.time);
   const std::optional<EwaldPlan>& sums = system_.mobility().plan();
   const bool is_multipole = has_moment_order(plan_.scene.model);
+  const double length = plan_.units.length;
   record.mobility = MobilityRecord{
       .time_step = plan_.time_step,
       .steps_per_cycle = plan_.steps_per_cycle,
@@ -196,12 +202,15 @@ void OverdampedModel::describe(RunRecord& record) const {
           plan_.scene.memory ? std::optional(plan_.scene.memory->has_reynolds_stress) : std::nullopt,
       .iterations = is_multipole ? std::optional<std::int64_t>(state.work.iterations) : std::nullopt,
       .residual = is_multipole ? std::optional(state.work.residual) : std::nullopt,
-      .cut_off = sums ? std::optional(sums->cutoff) : std::nullopt,
-      .mesh_spacing = sums ? std::optional(sums->spacing) : std::nullopt,
-      .smallest_gap = std::isfinite(state.smallest_gap) ? std::optional(state.smallest_gap) : std::nullopt};
+      .cut_off = sums ? std::optional(sums->cutoff * length) : std::nullopt,
+      .mesh_spacing = sums ? std::optional(sums->spacing * length) : std::nullopt,
+      .smallest_gap =
+          std::isfinite(state.smallest_gap) ? std::optional(state.smallest_gap * length) : std::nullopt};
   if (system_.fault()) return;
   Sha256 hash;
-  hash.update(std::as_bytes(system_.positions()));
+  std::vector<Vec3> positions;  // [length]
+  for (const Vec3& position : system_.positions()) positions.push_back(position * length);
+  hash.update(std::as_bytes(std::span(positions)));
   record.state_sha256 = hash.hexadecimal();
 }
 
@@ -222,7 +231,7 @@ std::vector<RunWarning> OverdampedModel::warnings() const {
                        height, in_percent(error), *plan_.height_at_rest,
                        is_best ? lattice_over_wall : "--model multipole --multipole-order 2")});
   }
-  const double gap = system_.state().smallest_gap;
+  const double gap = system_.state().smallest_gap * plan_.units.length;
   if (!std::isfinite(gap)) return warnings;
   const bool is_over_wall = plan_.scene.half_space.has_value();
   const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;

@@ -19,8 +19,8 @@ struct OverdampedPlan : ModelPlan {
   ExpectedErrors expected_errors(const Layout& layout) const override;
 
   const Communicator& communicator;
-  OverdampedScene scene;
-  double kinematic_viscosity = 0;
+  OverdampedScene scene;           ///< [units]
+  double kinematic_viscosity = 0;  ///< [units]
   /// Smallest height of a bead over the wall at rest, relative to its radius; nullopt without half-space.
   std::optional<double> height_at_rest;
 };

@@ -62,7 +62,7 @@ class Recorder {
     int id = 0;
     long number = 0;              ///< number of the sample since the start of the run
     double time = 0;              ///< [step]
-    std::vector<Vec3> positions;  ///< [ModelUnits]
+    std::vector<Vec3> positions;  ///< [ModelPlan::units]
 
     static void visit_fields(auto&& visit, auto& position_sample) {
       visit("id", position_sample.id);
@@ -105,7 +105,7 @@ class Recorder {
 
   bool is_cycle_end() const { return next_frame_ > 0 && next_frame_ % frames_per_cycle_ == 0; }
 
-  ModelUnits units_;
+  UnitScales units_;
   double time_step_;
   const Communicator& communicator_;
   long steps_per_cycle_;

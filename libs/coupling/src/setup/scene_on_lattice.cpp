@@ -165,7 +165,7 @@ LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, do
                                  "cells per radius, or 3 or more to resolve the beads",
                                  resolution.cells_per_radius, smallest_bead));
   }
-  const double steps = shortest_period(layout) / lattice.scales.step, late = phase_of_delay(lattice, steps);
+  const double steps = shortest_period(layout) / lattice.scales.time, late = phase_of_delay(lattice, steps);
   if (late <= latest) return lattice;
   throw InputError(
       Setting::relaxation_time,
@@ -177,7 +177,7 @@ LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, do
 }
 
 SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattice, bool corrects_delay) {
-  SwimmerType result = in_lattice_units(type, lattice.scales);
+  SwimmerType result = in_units(type, lattice.scales);
   if (corrects_delay) {
     for (Bead& bead : result.beads) bead = with_delay_correction(bead, lattice.relaxation_time);
   }
@@ -189,7 +189,7 @@ void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeChoice
                   bool corrects_delay) {
   Swarm swarm = placed_swimmers(layout);
   for (SwimmerType& type : swarm.types) type = type_on_lattice(type, lattice, corrects_delay);
-  for (PlacedSwimmer& swimmer : swarm.swimmers) swimmer.position /= lattice.scales.cell;
+  for (PlacedSwimmer& swimmer : swarm.swimmers) swimmer.position /= lattice.scales.length;
   static_cast<Swarm&>(scene) = std::move(swarm);
 }
 
@@ -253,8 +253,8 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
   result.resolution = {.cells_per_radius = settings.cells_per_radius.value_or(hint.cells_per_radius),
                        .relaxation_time = settings.relaxation_time.value_or(hint.relaxation_time)};
   result.lattice = lattice_for(layout, result.resolution, result.period, 1);
-  const LatticeScales& scales = result.lattice.scales;
-  require_off_walls(layout, scales.cell, source);
+  const UnitScales& scales = result.lattice.scales;
+  require_off_walls(layout, scales.length, source);
 
   CoupledScene& scene = result.scene;
   scene.precision = settings.precision;
@@ -263,7 +263,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
   scene.corrects_radii = settings.radius_correction;
   scene.lubrication = settings.lubrication;
   scene.friction = settings.friction;
-  scene.cells = whole_cells(layout.domain.box->lengths, scales.cell, source);
+  scene.cells = whole_cells(layout.domain.box->lengths, scales.length, source);
   scene.boundary = layout.domain.box->boundary;
   add_swimmers(scene, layout, result.lattice, settings.delay_correction);
   if (settings.refinement != 0)
@@ -291,7 +291,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
     type = steady;
   }
   result.corrects_delay = settings.delay_correction;
-  result.smallest_gap = smallest_gap(placed_beads(layout), layout.domain) / scales.cell;
+  result.smallest_gap = smallest_gap(placed_beads(layout), layout.domain) / scales.length;
   return result;
 }
 

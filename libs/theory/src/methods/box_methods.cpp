@@ -12,8 +12,10 @@ namespace {
 
 /// Returns boundary and length of each axis, such as "periodic 128, periodic 80, periodic 80", with the
 /// swimmer's axis first.
-std::string box_text(const Box& box) {
-  const auto axis = [&](int i) { return fmt::format("{} {:.6g}", to_text(box.boundary[i]), box.lengths[i]); };
+std::string box_text(const Box& box, double unit) {
+  const auto axis = [&](int i) {
+    return fmt::format("{} {:.6g}", to_text(box.boundary[i]), box.lengths[i] * unit);
+  };
   return axis(0) + ", " + axis(1) + ", " + axis(2);
 }
 
@@ -28,7 +30,7 @@ void add_limits(const Question& question, double second_order, Prediction& predi
       "inertia, which screens images (penetration depth {:.2f} arms)",
       distance_from_exact(question, unbounded, exact), penetration_depth_over_arm(question));
   prediction.settings.emplace_back("mobility", "Rotne-Prager");
-  prediction.settings.emplace_back("fluid", "box: " + box_text(question.box->box));
+  prediction.settings.emplace_back("fluid", "box: " + box_text(question.box->box, question.units.length));
   if (exact) prediction.settings.emplace_back("velocity_over_unbounded", second_order / unbounded);
   add_driving_settings(question, prediction);
   prediction.uncertainty = relative_uncertainty(unbounded, exact, 0);

@@ -22,27 +22,28 @@ bool equal(double a, double b) {
   return std::abs(a - b) <= roundoff * std::abs(a);
 }
 
-std::optional<std::string> unequal_shape(const CollinearSwimmer& swimmer) {
+std::optional<std::string> unequal_shape(const CollinearSwimmer& swimmer, const UnitScales& units) {
   const auto& radius = swimmer.radius;
   if (!equal(radius[0], radius[1]) || !equal(radius[0], radius[2])) {
     return fmt::format("the bead radii {}, {}, {} differ, but the closed form requires equal radii; {}",
-                       radius[0], radius[1], radius[2], remedy);
+                       radius[0] * units.length, radius[1] * units.length, radius[2] * units.length, remedy);
   }
   if (!equal(swimmer.arm[0], swimmer.arm[1])) {
     return fmt::format("the arm lengths {}, {} differ, but the closed form requires equal arm lengths; {}",
-                       swimmer.arm[0], swimmer.arm[1], remedy);
+                       swimmer.arm[0] * units.length, swimmer.arm[1] * units.length, remedy);
   }
   return std::nullopt;
 }
 
-std::optional<std::string> unequal_response(const CollinearSwimmer& swimmer) {
+std::optional<std::string> unequal_response(const CollinearSwimmer& swimmer, const UnitScales& units) {
   if (!equal(swimmer.stiffness[0], swimmer.stiffness[1])) {
     return fmt::format("the stiffnesses {}, {} differ, but the closed form requires equal stiffnesses; {}",
-                       swimmer.stiffness[0], swimmer.stiffness[1], remedy);
+                       swimmer.stiffness[0] * units.stiffness(), swimmer.stiffness[1] * units.stiffness(),
+                       remedy);
   }
   if (swimmer.damping[0] != 0 || swimmer.damping[1] != 0) {
     return fmt::format("the closed form neglects damping, but the springs have the damping {}, {}; {}",
-                       swimmer.damping[0], swimmer.damping[1], remedy);
+                       swimmer.damping[0] * units.damping(), swimmer.damping[1] * units.damping(), remedy);
   }
   return std::nullopt;
 }
@@ -155,12 +156,12 @@ Formula formula_for_given_stroke(const Question& question, PairLaw law, const st
 
 std::optional<std::string> equal_shape_obstacle(const Question& question) {
   if (auto obstacle = overlap_obstacle(question)) return obstacle;
-  return unequal_shape(question.swimmer);
+  return unequal_shape(question.swimmer, question.units);
 }
 
 std::optional<std::string> equal_parts_obstacle(const Question& question) {
   if (auto obstacle = equal_shape_obstacle(question)) return obstacle;
-  return unequal_response(question.swimmer);
+  return unequal_response(question.swimmer, question.units);
 }
 
 std::optional<std::string> rpy_force_printed_obstacle(const Question& question) {
@@ -170,7 +171,7 @@ std::optional<std::string> rpy_force_printed_obstacle(const Question& question) 
   return fmt::format(
       "equation (4.23) of Pickl et al. 2017 requires equal driving amplitudes A = B, but they are {}, {}; "
       "use rpy-force-repaired",
-      A, B);
+      A * question.units.force(), B * question.units.force());
 }
 
 std::optional<std::string> oseen_stroke_obstacle(const Question& question) {

@@ -29,10 +29,12 @@ Prediction predict_pairwise(const Question& question, const std::string& pairs, 
 std::optional<std::string> overlap_obstacle(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
   if (smallest_gap(swimmer, rest_positions(swimmer)) >= 0) return std::nullopt;
+  const double unit = question.units.length;
   return fmt::format(
       "beads overlap at rest: arms {:.6g}, {:.6g} with radii {:.6g}, {:.6g}, {:.6g}; each arm must be longer "
       "than the sum of the radii at its ends",
-      swimmer.arm[0], swimmer.arm[1], swimmer.radius[0], swimmer.radius[1], swimmer.radius[2]);
+      swimmer.arm[0] * unit, swimmer.arm[1] * unit, swimmer.radius[0] * unit, swimmer.radius[1] * unit,
+      swimmer.radius[2] * unit);
 }
 
 std::optional<std::string> exact_obstacle(const Question& question) {

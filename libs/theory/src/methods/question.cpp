@@ -59,11 +59,13 @@ std::vector<std::string> warnings(const Question& question, double tolerance) {
   std::vector<std::string> messages;
   if (!beads_stay_apart(swimmer, motion.stroke)) {
     const std::array<double, 2> gaps = gaps_at_rest(swimmer);
+    const double unit = question.units.length;
     messages.push_back(
         fmt::format("beads would touch during the stroke: in first-order theory the arm amplitudes are "
                     "{:.4g} and {:.4g}, but the gaps between the beads at rest are {:.4g} and {:.4g}; lower "
                     "{} or raise {}, {} or {}",
-                    motion.stroke.amplitude[0], motion.stroke.amplitude[1], gaps[0], gaps[1],
+                    motion.stroke.amplitude[0] * unit, motion.stroke.amplitude[1] * unit, gaps[0] * unit,
+                    gaps[1] * unit,
                     Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm));
   }
   const double change =

@@ -25,10 +25,12 @@ std::string fluid_name(const ShapedSwimmer& swimmer) {
 }
 
 /// Returns the surroundings of the swimmer for the validity of a prediction.
-std::string surroundings_of(const ShapedSwimmer& swimmer) {
+std::string surroundings_of(const ShapeQuestion& question) {
+  const ShapedSwimmer& swimmer = question.swimmer;
   std::string text = fluid_name(swimmer);
   if (const auto& half_space = swimmer.half_space)
-    text += fmt::format(", at the height {:.6g} over the no-slip wall", half_space->height(swimmer.place));
+    text += fmt::format(", at the height {:.6g} over the no-slip wall",
+                        half_space->height(swimmer.place) * question.units.length);
   if (swimmer.is_held()) text += ", moved back to its place and orientation after each cycle";
   return text;
 }
@@ -55,7 +57,7 @@ Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, co
   prediction.validity = fmt::format(
       "{} pairs; {}; alone; fluid: {}; no inertia of fluid or beads (penetration depth {:.2f} radii); "
       "the error for this shape is not known",
-      pairs.name, amplitude, surroundings_of(swimmer), depth / radius);
+      pairs.name, amplitude, surroundings_of(question), depth / radius);
   prediction.settings = {{"mobility", pairs.name},
                          {"fluid", fluid_name(swimmer)},
                          {"period", swimmer.type.driving.period},

@@ -20,9 +20,8 @@ std::optional<std::string> periodic_overlap(const CollinearSwimmer& swimmer, con
       for (const int image : {below, below + 1}) {
         if (image == 0 || std::abs(d - image * period) >= contact) continue;
         return fmt::format(
-            "beads {} and {} overlap through the periodic boundary, because the box is only {:.6g} long "
-            "along the swimmer; make the box longer",
-            i + 1, j + 1, period);
+            "beads {} and {} overlap through the periodic boundary along the swimmer; make the box longer",
+            i + 1, j + 1);
       }
     }
   }
@@ -65,10 +64,8 @@ std::optional<std::string> image_overlap(const CollinearSwimmer& swimmer, const 
   if (!box.has_mirrors(0)) {
     if (auto overlap = periodic_overlap(swimmer, x, box.lengths[0])) return overlap;
   } else if (x[0] < swimmer.radius[0] || x[2] > box.lengths[0] - swimmer.radius[2]) {
-    return fmt::format(
-        "bead 1 or bead 3 overlaps a wall perpendicular to the swimmer's axis; make the box longer than "
-        "{:.6g} or move the swimmer",
-        box.lengths[0]);
+    return "bead 1 or bead 3 overlaps a wall perpendicular to the swimmer's axis; make the box longer or "
+           "move the swimmer";
   }
   const double largest = *std::max_element(swimmer.radius.begin(), swimmer.radius.end());
   for (const int axis : {1, 2}) {
@@ -76,9 +73,9 @@ std::optional<std::string> image_overlap(const CollinearSwimmer& swimmer, const 
     const double room = box.has_mirrors(axis) ? std::min(middle[axis], length - middle[axis]) : length / 2;
     if (room < largest) {
       return fmt::format(
-          "the box of length {:.6g} perpendicular to the swimmer has no room for its bead of radius {:.6g}; "
-          "enlarge the box or move the swimmer",
-          length, largest);
+          "the box, {:.3g} bead radii wide perpendicular to the swimmer, has no room for a bead; enlarge the "
+          "box or move the swimmer",
+          length / largest);
     }
   }
   return std::nullopt;

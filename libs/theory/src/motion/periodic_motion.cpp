@@ -223,12 +223,12 @@ State first_order_state(const CollinearSwimmer& swimmer, const LinePositions& re
   return state;
 }
 
-std::string contact_message(double reached, double min_gap) {
+std::string contact_message(double reached, double min_gap_over_radius) {
   return fmt::format(
       "no periodic motion without contact was found: if the driving amplitude exceeds about {:.2g} times the "
-      "given amplitude, a gap between beads becomes smaller than {:.3g} or a soft spring collapses; reduce "
-      "{}, or increase {}, {} or {}",
-      reached, min_gap, Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm);
+      "given amplitude, a gap between beads becomes smaller than {:.3g} bead radii or a soft spring collapses; "
+      "reduce {}, or increase {}, {} or {}",
+      reached, min_gap_over_radius, Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm);
 }
 
 /// Returns the motion under the full driving, with the initial guess `start`. If Newton's method does not
@@ -247,7 +247,8 @@ State continue_to_full_driving(const CollinearSwimmer& swimmer, const HarmonicBa
       reached = *found;
       driving = next;
     } else if ((step /= 2) < smallest_step) {
-      throw InputError("stroke", contact_message(driving, min_gap));
+      throw InputError("stroke",
+                       contact_message(driving, min_gap / *std::ranges::min_element(swimmer.radius)));
     }
   }
   return reached;

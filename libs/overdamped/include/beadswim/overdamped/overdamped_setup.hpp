@@ -4,7 +4,7 @@
 #include <string>
 
 #include "beadswim/overdamped/overdamped_scene.hpp"
-#include "beadswim/scene/layout.hpp"
+#include "beadswim/scene/unit_scales.hpp"
 
 namespace beadswim {
 
@@ -26,7 +26,8 @@ struct MobilitySettings {
 
 /// Scene made from a layout for a mobility model, and its division into time steps.
 struct OverdampedSetup {
-  OverdampedScene scene;
+  OverdampedScene scene;     ///< in `units`
+  UnitScales units;          ///< natural_units() of the layout
   double base_period = 0;    ///< period that all swimmers share, or that of the first one [time]
   long steps_per_cycle = 0;  ///< time steps per base period
 };

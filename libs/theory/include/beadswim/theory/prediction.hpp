@@ -9,6 +9,7 @@
 
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/theory/stroke.hpp"
 
 namespace beadswim {
@@ -65,5 +66,8 @@ struct Prediction {
     visit("settings", prediction.settings);
   }
 };
+
+/// Converts a prediction from these units to those of the layout.
+void to_layout_units(Prediction& prediction, const UnitScales& units);
 
 }  // namespace beadswim

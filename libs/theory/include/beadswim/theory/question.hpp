@@ -6,6 +6,7 @@
 
 #include "beadswim/core/box.hpp"
 #include "beadswim/mobility/collinear_mobility.hpp"
+#include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/perturbation.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
@@ -31,6 +32,7 @@ struct ExactStokes {
 struct ShapeQuestion {
   ShapedSwimmer swimmer;
   double fluid_density = 0;  ///< rho [mass/length^3]
+  UnitScales units{};        ///< of the question, in the units of the layout, for texts
 };
 
 /// Input of all methods for three beads on a line: a swimmer, its fluid, its box (or open space), and its
@@ -42,6 +44,7 @@ struct Question {
   std::string box_obstacle;     ///< reason why methods for boxes are not applicable; empty if none
   std::optional<Stroke> measured_stroke;
   std::optional<ExactStokes> exact;  ///< set by with_exact_reference(); nullopt if not available
+  UnitScales units{};                ///< of the question, in the units of the layout, for texts
 };
 
 /// Returns the mobility of the beads at `positions` [length] in exact Stokes flow in open space [time/mass].

@@ -70,13 +70,13 @@ struct ResolutionNumbers {
 /// Numbers of all types, and numbers of the complete scene.
 struct SceneNumbers {
   std::map<std::string, TypeNumbers> types;
-  double smallest_gap = 0;  ///< smallest gap at rest of beads, images and walls [length]
+  double smallest_gap = 0;  ///< smallest gap at rest of beads, images and walls [length]; infinity: none
   /// Smallest height of a bead's centre over the wall of a half-space, relative to the radius of the bead.
   std::optional<double> smallest_relative_height;
   std::optional<ResolutionNumbers> resolution;
 
   static void visit_fields(auto&& visit, auto& numbers) {
-    visit("smallest_gap", numbers.smallest_gap);
+    visit("smallest_gap", numbers.smallest_gap, null_if_infinite);
     visit("smallest_relative_height", numbers.smallest_relative_height, omitted_if_none);
     visit("types", numbers.types);
     visit("resolution", numbers.resolution, omitted_if_none);
