@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/keyed_random.hpp"
 #include "beadswim/core/rank_share.hpp"
 #include "beadswim/core/setting.hpp"
+#include "beadswim/mobility/pair_mobility.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "implicit_step.hpp"
 #include "lowest_mobility.hpp"
@@ -73,8 +75,9 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
   state_.positions.fill(rest_positions(scene_));
   state_.velocities.fill(nowhere);
   state_.distant.fill(nowhere);
-  if (scene_.model == MobilityModel::oseen)
-    lowest_mobility_ = std::make_unique<LowestMobility>(scene_, mobility_, radii_, communicator_);
+  if (scene_.model == MobilityModel::oseen) lowest_mode_.resize(3 * std::ssize(radii_));
+  KeyedRandom random(1, 0, 0);
+  for (double& component : lowest_mode_) component = random.normal();
   if (const auto fault = mobility_fault())
     throw InputError(Setting::model,
                      fmt::format("the mobility of oseen is not positive definite at rest: forces would move "
@@ -272,8 +275,12 @@ void OverdampedSystem::step() {
 }
 
 /// Returns the fault of a mobility that is not positive definite.
-std::optional<OverdampedFault> OverdampedSystem::mobility_fault() const {
-  const auto bead = lowest_mobility_ ? lowest_mobility_->reversed_bead(positions()) : std::nullopt;
+std::optional<OverdampedFault> OverdampedSystem::mobility_fault() {
+  if (lowest_mode_.size() == 0) return std::nullopt;
+  Eigen::VectorXd root_mobility(lowest_mode_.size());
+  for (std::size_t b = 0; b < radii_.size(); ++b)
+    root_mobility.segment<3>(3 * b).setConstant(std::sqrt(self_mobility(radii_[b], scene_.viscosity)));
+  const auto bead = find_reversed_bead(mobility_, positions(), root_mobility, lowest_mode_, communicator_);
   if (!bead) return std::nullopt;
   const std::vector<BeadRange> ranges = bead_ranges(scene_);
   const auto owner = std::ranges::upper_bound(ranges, *bead, {}, &BeadRange::first) - 1;

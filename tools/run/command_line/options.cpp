@@ -25,8 +25,7 @@ CLI::Validator relaxation_time() {
 void add_model(CLI::App& program, RunOptions& options) {
   begin_group(program, "Model");
   add_choice(program, "--model", options.settings.model,
-             "Model of the fluid: lbm (lattice), the mobilities rpy, rpy+near, multipole, oseen, unsteady "
-             "(with fluid inertia), or auto (the cheapest run within --tolerance)")
+             "lbm (lattice), mobilities rpy, rpy+near, multipole, oseen, unsteady, or auto (the cheapest run)")
       ->default_str("lbm; auto with --plan or --tolerance");
   program.add_flag(
       "--plan", options.plan,

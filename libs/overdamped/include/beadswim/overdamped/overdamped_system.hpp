@@ -102,7 +102,6 @@ struct OverdampedState {
 };
 
 class ImplicitStep;
-class LowestMobility;
 struct ImplicitStepResult;
 struct StepHistory;
 struct StepRule;
@@ -164,14 +163,15 @@ class OverdampedSystem {
   void take_bdf_step();
   void accept(Step step);
   void check_faults();
-  std::optional<OverdampedFault> mobility_fault() const;
+  std::optional<OverdampedFault> mobility_fault();
 
   OverdampedScene scene_;
   const Communicator& communicator_;
   std::vector<double> radii_;  ///< radius of each bead [length]
   MobilityProduct mobility_;
   std::unique_ptr<ImplicitStep> implicit_step_;
-  std::unique_ptr<LowestMobility> lowest_mobility_;  ///< null: the mobility is always positive definite
+  /// Eigenvector of the smallest eigenvalue of the mobility, of all beads; empty: always positive definite.
+  Eigen::VectorXd lowest_mode_;
   OverdampedState state_;
   bool is_converged_ = true;  ///< true if all steps so far converged
   std::optional<OverdampedFault> fault_;

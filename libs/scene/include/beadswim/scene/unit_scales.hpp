@@ -3,7 +3,6 @@
 #include <string>
 
 #include "beadswim/scene/layout.hpp"
-#include "beadswim/swimmers/swimmer_type.hpp"
 
 // Conversion of a layout to other units: to lattice units in resolved runs, to natural units in mobility runs
 // and theory.
@@ -37,8 +36,7 @@ Layout in_units(Layout layout, const UnitScales& units);
 /// units of a layout that differ by powers of 4.
 UnitScales natural_units(const Layout& layout);
 
-/// Returns why the quantities of a layout exceed the range in which results can be calculated; empty if they do
-/// not.
+/// Returns why quantities of a layout are outside the range of valid results; empty if none is.
 std::string range_fault(const Layout& layout);
 
 }  // namespace beadswim

@@ -9,7 +9,6 @@
 
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/theory/stroke.hpp"
 
 namespace beadswim {
@@ -66,8 +65,5 @@ struct Prediction {
     visit("settings", prediction.settings);
   }
 };
-
-/// Converts a prediction from these units to those of the layout.
-void to_layout_units(Prediction& prediction, const UnitScales& units);
 
 }  // namespace beadswim
