@@ -189,7 +189,8 @@ refuses '--x: "frame" is the word "lab"' beadswim-plot against words.jsonl --x f
 
 jq -c 'select(.study.phase < 1) | .predictions[0].usable = (.study.period < 4000)' study-theory.jsonl >usable.jsonl
 accepts beadswim-plot against usable.jsonl --x period --method rpy-perturbation,rpy-ode -o figure.svg --data data.csv
-check 'each point once, with the name of its method' test "$(sed 1d data.csv | cut -d'"' -f10 | sort | uniq -c | xargs)" = '7 rpy-ode 7 rpy-perturbation'
+check 'each point once, with the name of its method' test "$(sed 1d data.csv | cut -d'"' -f10 | sed 's/ (not usable)//' | sort | uniq -c | xargs)" = '7 rpy-ode 7 rpy-perturbation'
+check 'points that are not usable are a series of their own' test "$(grep -c '(not usable)' data.csv)" -eq "$(jq '.predictions[] | select(.usable == false) | 1' usable.jsonl | wc -l)"
 
 # --- runs of a stream
 

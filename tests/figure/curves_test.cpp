@@ -49,6 +49,20 @@ TEST(Curves, UnusablePointsAreFaintAndJoinTheUsable) {
   EXPECT_THAT(panel.series[2].y, ElementsAre(IsNan(), IsNan(), 3, IsNan()));
 }
 
+// Readers that group the numbers by series must not join both parts; each point is written once.
+TEST(Curves, UnusablePointsAreASeriesOfTheirOwnInTheNumbers) {
+  Curve curve = curve_of({1, 2, 3, 4}, {2});
+  curve.points[1].error = 0.5;
+  Figure figure{.title = "", .panels = {Panel{.x_label = {"x"}, .y_label = {"y"}}}};
+  append_points_and_curves({}, {curve}, std::nullopt, figure.panels[0]);
+  EXPECT_EQ(figure_to_csv(figure),
+            "y_name,y_unit,x_name,x_unit,series,x,y,y_error\n"
+            "\"y\",\"\",\"x\",\"\",\"theory\",0,1,\n"
+            "\"y\",\"\",\"x\",\"\",\"theory\",1,2,0.5\n"
+            "\"y\",\"\",\"x\",\"\",\"theory\",3,4,\n"
+            "\"y\",\"\",\"x\",\"\",\"theory (not usable)\",2,3,\n");
+}
+
 TEST(Curves, LevelsReachFromEndToEndAndDifferInDashes) {
   Panel panel;
   append_levels({{"a", 3}, {"b", 4}}, 0.6, 2.4, 1, panel);

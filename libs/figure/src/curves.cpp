@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace beadswim {
 namespace {
@@ -33,7 +32,7 @@ Series part_of(const std::vector<CurvePoint>& points, Part part, Series style) {
 }
 
 Series faint(Series style, Mark mark) {
-  style.data_label = std::exchange(style.label, "");
+  style.label = "";
   style.mark = mark;
   style.emphasis = Emphasis::faint;
   return style;
@@ -47,12 +46,14 @@ std::vector<Series> curve_series(const std::vector<CurvePoint>& points, Series s
   const auto is_usable = [](const CurvePoint& point) { return point.usable; };
   const auto usable = std::count_if(points.begin(), points.end(), is_usable);
   if (usable == static_cast<std::ptrdiff_t>(points.size())) return {part_of(points, Part::usable, style)};
+  style.data_label = style.label + " (not usable)";
   if (usable == 0) {
     style.emphasis = Emphasis::faint;
     return {part_of(points, Part::not_usable, style)};
   }
   std::vector<Series> series{part_of(points, Part::not_usable_with_neighbours, faint(style, Mark::line)),
                              part_of(points, Part::usable, style)};
+  series.back().data_label = "";
   if (marked) series.push_back(part_of(points, Part::not_usable, faint(style, Mark::points)));
   return series;
 }

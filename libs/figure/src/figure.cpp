@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <tuple>
 
 #include "beadswim/core/error.hpp"
 #include "csv.hpp"
@@ -408,20 +409,27 @@ double page_width(const Figure& figure) {
   return std::ceil(right + margin);
 }
 
-/// Returns a line of comma-separated values for each finite point of the series.
-std::vector<std::string> csv_lines(const Panel& panel, const Series& series) {
+/// Colour, shape, dash, x and y of a point: equal for a point of a curve and the end of its faint part there.
+using CsvPoint = std::tuple<int, int, int, double, double>;
+
+/// Returns a line of comma-separated values for each finite point of the series, without those points of a
+/// faint series that are in `written`. Adds the points to `written`.
+std::string csv_lines(const Panel& panel, const Series& series, std::set<CsvPoint>& written) {
   const std::string names =
       fmt::format("{},{},{},{},{}",
                   quoted(panel.title.empty() ? panel.y_label.quantity
                                              : fmt::format("{} ({})", panel.y_label.quantity, panel.title)),
                   quoted(panel.y_label.unit), quoted(panel.x_label.quantity), quoted(panel.x_label.unit),
-                  quoted(series.label.empty() ? series.data_label : series.label));
-  std::vector<std::string> lines;
+                  quoted(series.data_label.empty() ? series.label : series.data_label));
+  std::string lines;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     if (!std::isfinite(series.y[i])) continue;
-    const bool has_error = error_at(series, i) > 0 && series.emphasis == Emphasis::plain;  // as drawn
+    const bool is_new =
+        written.insert({series.colour, series.shape, series.dash, series.x[i], series.y[i]}).second;
+    if (!is_new && series.emphasis == Emphasis::faint) continue;
+    const bool has_error = error_at(series, i) > 0;  // 0: none is stated
     const std::string error = has_error ? fmt::format("{}", series.errors[i]) : "";
-    lines.push_back(fmt::format("{},{},{},{}\n", names, series.x[i], series.y[i], error));
+    lines += fmt::format("{},{},{},{}\n", names, series.x[i], series.y[i], error);
   }
   return lines;
 }
@@ -456,12 +464,10 @@ std::string figure_to_csv(const Figure& figure) {
   if (std::ranges::any_of(figure.panels, has_map)) return maps_to_csv(figure);
   std::string lines = "y_name,y_unit,x_name,x_unit,series,x,y,y_error\n";
   for (const Panel& panel : figure.panels) {
-    std::set<std::string> written;  // a faint line repeats its neighbours on the plain line
+    std::set<CsvPoint> written;
     for (const Emphasis emphasis : {Emphasis::plain, Emphasis::faint}) {
       for (const Series& series : panel.series) {
-        if (series.emphasis != emphasis) continue;
-        for (const std::string& line : csv_lines(panel, series))
-          if (written.insert(line).second || emphasis == Emphasis::plain) lines += line;
+        if (series.emphasis == emphasis) lines += csv_lines(panel, series, written);
       }
     }
   }

@@ -30,7 +30,7 @@ struct Series {
   int shape = 0;   ///< 0 to 3: filled circle, square, triangle, diamond; 4 to 7: open; modulo 8
   int dash = 0;    ///< 0 to 5: solid, dashed, dotted, dash-dotted, long, dash-dot-dotted; modulo 6
   Emphasis emphasis = Emphasis::plain;
-  std::string data_label{};  ///< label of the numbers (figure_to_csv), for a series that is not in the legend
+  std::string data_label{};  ///< label of the numbers (figure_to_csv), if it is not `label`
 };
 
 /// Label of an axis: "quantity (unit)", or "quantity" if the unit is empty.
@@ -69,7 +69,8 @@ std::string figure_to_svg(const Figure& figure);
 
 /// Returns the numbers that the figure draws as comma-separated values, a line per point: names and units of
 /// both axes, label of the series, x, y, and the error if the series has any. Faint points follow the plain
-/// ones. For maps: names and units of x, y and the value, and the three numbers.
+/// ones; those of a curve are the series "LABEL (not usable)". For maps: names and units of x, y and the
+/// value, and the three numbers.
 std::string figure_to_csv(const Figure& figure);
 
 }  // namespace beadswim
