@@ -11,6 +11,8 @@
 #include <set>
 #include <utility>
 
+#include "beadswim/documents/study_text.hpp"
+
 namespace beadswim {
 namespace {
 
