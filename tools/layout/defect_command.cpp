@@ -7,7 +7,6 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
-#include "beadswim/tools/program.hpp"
 #include "layout_filter.hpp"
 #include "sound_layout.hpp"
 
@@ -99,10 +98,10 @@ void DefectCommand::add_places() {
   auto& turned = add_kind("rotation", {"--sigma 0.1", "--random --count 1 --repair"},
                           "Turns swimmers about their middle bead by random angles.",
                           [this](Layout& layout) { rotate(layout, chosen_swimmers(layout), sigma_, seed_); });
-  add_angular_sigma(
-      turned,
-      "Standard deviation of the angle by which a swimmer turns, about a random line perpendicular to "
-      "its axis, as 0.1 or 5deg [rad]");
+  add_sigma(turned,
+            "Standard deviation of the angle by which a swimmer turns, about a random line perpendicular to "
+            "its axis, as 0.1 or 5deg [rad]",
+            angle(0));
   add_random(turned, "Draw the new axes uniformly from all directions, instead of angles with --sigma.");
   add_amount_flags(turned, "swimmers to turn", "all");
 
@@ -121,7 +120,7 @@ void DefectCommand::add_drivings() {
       add_kind("phase", {"--sigma 0.3", "--random --seed 3"},
                "Adds a random shift to the driving phase of swimmers (key phase_offset).",
                [this](Layout& layout) { disorder_phases(layout, chosen_swimmers(layout), sigma_, seed_); });
-  add_angular_sigma(phases, "Standard deviation of the phase shift, as 0.1 or 5deg [rad]");
+  add_sigma(phases, "Standard deviation of the phase shift, as 0.1 or 5deg [rad]", angle(0));
   add_random(phases, "Draw the phase shifts uniformly from -pi to pi, instead of a normal distribution.");
   add_amount_flags(phases, "swimmers to change", "all");
 
@@ -177,15 +176,9 @@ void DefectCommand::add_amount_flags(CLI::App& kind, const std::string& things,
       ->excludes(fraction);
 }
 
-void DefectCommand::add_sigma(CLI::App& kind, const std::string& help) {
-  kind.add_option("--sigma", sigma_, help)->type_name("S")->check(number_between(0, 1e6));
-}
-
-void DefectCommand::add_angular_sigma(CLI::App& kind, const std::string& help) {
-  kind.add_option_function<std::string>(
-          "--sigma", [this](const std::string& text) { sigma_ = parse_angle(text); }, help)
-      ->type_name("S")
-      ->check(non_negative_angle());
+void DefectCommand::add_sigma(CLI::App& kind, const std::string& help, const CLI::Validator& values) {
+  const auto store = [this](const std::string& text) { sigma_ = parse_angle(text); };
+  kind.add_option_function<std::string>("--sigma", store, help)->type_name("S")->check(values);
 }
 
 void DefectCommand::add_random(CLI::App& kind, const std::string& help) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "beadswim/scene/defects.hpp"
+#include "beadswim/tools/program.hpp"
 
 namespace beadswim {
 
@@ -29,8 +30,8 @@ class DefectCommand {
   /// Adds the flags --fraction and --count. `things`: what the flags count, and `otherwise`: the default,
   /// both for the help.
   void add_amount_flags(CLI::App& kind, const std::string& things, const std::string& otherwise);
-  void add_sigma(CLI::App& kind, const std::string& help);
-  void add_angular_sigma(CLI::App& kind, const std::string& help);
+  void add_sigma(CLI::App& kind, const std::string& help,
+                 const CLI::Validator& values = number_between(0, 1e6));
   void add_random(CLI::App& kind, const std::string& help);
   void add_mixture();
   void add_numbers();

@@ -44,11 +44,10 @@ void add_expected_errors(ModelPlan& plan, const Layout& layout) {
 
 /// Adds a warning if swimmers complete no cycle until the last frame of the run.
 void warn_of_missing_cycles(ModelPlan& plan) {
-  const double cycle = static_cast<double>(plan.steps_per_cycle), roundoff = 1e-9;
+  const auto cycle = static_cast<double>(plan.steps_per_cycle);
+  const auto steps = static_cast<double>(plan.steps_in(plan.options.settings.cycles));
   const double frame = cycle / std::min<double>(plan.options.settings.frames_per_cycle, cycle);
-  const double steps = static_cast<double>(plan.steps_in(plan.options.settings.cycles));
-  int missing = 0;
-  double needed = 0;
+  double missing = 0, needed = 0, roundoff = 1e-9;
   for (const PlacedSwimmer& swimmer : plan.swimmers) {
     const double end = frame * std::ceil(std::round(plan.periods[swimmer.type]) / frame - roundoff);
     missing += end > steps + 0.5;
@@ -77,10 +76,9 @@ std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Reques
   if (!paraview_can_open(plan->options.output))
     plan->warnings.push_back(
         {"paraview-name",
-         fmt::format(
-             "ParaView will not open the results by the name {}: it needs ASCII characters without colon, "
-             "backslash and ~, and no space at the start; give another name with -o",
-             plan->options.output)});
+         fmt::format("ParaView cannot open the name {}: it needs ASCII characters without colon, backslash "
+                     "and ~, and no space at the start; give another name with -o",
+                     plan->options.output)});
   warn_of_missing_cycles(*plan);
   if (communicator.is_root()) add_expected_errors(*plan, document.layout);
   return plan;
@@ -102,8 +100,7 @@ TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan
       header.radius.push_back(plan.radii[swimmer.type][b]);
     }
   }
-  // Units that readers of molecular simulations know. They refuse files with other units, but not files
-  // without units.
+  // Units that readers of molecular simulations know. They refuse files with other units, but not files without units.
   if (const Units& units = document.layout.units;
       !units.lattice && units.length.name == "nm" && units.time.name == "ns") {
     header.length_unit = units.length.name;

@@ -15,8 +15,7 @@ InputError::InputError(Setting setting, const std::string& what_and_remedy)
     : InputError(name_of(setting), what_and_remedy) {}
 
 void hold_closed_streams() {
-  for (const int stream :
-       {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})  // open() takes the lowest free number
+  for (const int stream : {0, 1, 2})  // open() takes the lowest free number
     if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 
@@ -44,7 +45,7 @@ std::string percentage_hint(const std::string& text) {
 
 /// Returns a validator that accepts finite numbers for which `condition` is true. `allowed` describes these
 /// numbers in error messages.
-CLI::Validator number_that(bool (*condition)(double), const std::string& allowed) {
+CLI::Validator number_that(const std::function<bool(double)>& condition, const std::string& allowed) {
   const auto fault = [condition, allowed](const std::string& text) {
     const std::optional<double> value = parse_number(text);
     const bool fine = value && std::isfinite(*value) && condition(*value);
@@ -68,23 +69,15 @@ CLI::Validator fraction() {
                      "the value must be a number above 0 and below 1; 0.05 means 5 %");
 }
 
-CLI::Validator angle() {
-  const auto fault = [](const std::string& text) {
+CLI::Validator angle(double min) {
+  const auto fault = [min](const std::string& text) {
     const std::optional<double> value = parse_number(without_ending(text, "deg"));
+    if (value && *value < min) return fmt::format("\"{}\": the angle must be {} or greater", text, min);
     return value && std::isfinite(*value)
                ? std::string{}
                : fmt::format(
                      "\"{}\": the value must be a finite number of radians, or of degrees such as 90deg",
                      text);
-  };
-  return CLI::Validator(fault, "");
-}
-
-CLI::Validator non_negative_angle() {
-  const auto fault = [](const std::string& text) {
-    const std::string why = angle()(text);
-    return why.empty() && parse_angle(text) < 0 ? fmt::format("\"{}\": the angle must be 0 or greater", text)
-                                                : why;
   };
   return CLI::Validator(fault, "");
 }
@@ -107,14 +100,8 @@ CLI::Validator whole_positive() {
 }
 
 CLI::Validator number_between(double low, double high) {
-  const auto fault = [low, high](const std::string& text) {
-    const std::optional<double> value = parse_number(text);
-    const bool fine = value && *value >= low && *value <= high;
-    return fine ? std::string{}
-                : fmt::format("\"{}\": the value must be a number from {} to {}{}", text, low, high,
-                              percentage_hint(text));
-  };
-  return CLI::Validator(fault, "");
+  return number_that([low, high](double x) { return x >= low && x <= high; },
+                     fmt::format("the value must be a number from {} to {}", low, high));
 }
 
 CLI::Validator product_tolerance() {

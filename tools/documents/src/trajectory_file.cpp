@@ -16,6 +16,12 @@
 namespace beadswim {
 namespace {
 
+/// Throws InputError about contents that no run writes.
+[[noreturn]] void refuse_edited(const std::string& place, const std::string& fault) {
+  throw InputError(
+      place, fault + "; the file is damaged or was edited: give a trajectory file as beadswim-run wrote it");
+}
+
 bool have_equal_lengths(const std::optional<Box>& a, const std::optional<Box>& b) {
   return a && b ? a->lengths == b->lengths : a.has_value() == b.has_value();
 }
@@ -24,25 +30,16 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
   const auto& parameters = reader.header().parameters;
   const auto found = parameters.find("layout");
   const std::string place = path + ":/parameters/layout";
-  if (found == parameters.end()) {
-    throw InputError(place,
-                     "the file does not contain the layout of its run; the file is damaged or was edited: "
-                     "give a trajectory file as beadswim-run wrote it");
-  }
+  if (found == parameters.end()) refuse_edited(place, "the file does not contain the layout of its run");
   Layout layout = layout_from_json(parse_json(found->second, place), place).layout;
   if (layout.swimmers.size() != reader.header().swimmers()) {
-    throw InputError(
-        place,
-        fmt::format(
-            "the layout in the file has {} swimmers, but the file contains the positions of {} swimmers; the "
-            "file is damaged or was edited: give a trajectory file as beadswim-run wrote it",
-            layout.swimmers.size(), reader.header().swimmers()));
+    refuse_edited(place, fmt::format("the layout in the file has {} swimmers, but the file contains the "
+                                     "positions of {} swimmers",
+                                     layout.swimmers.size(), reader.header().swimmers()));
   }
   if (!have_equal_lengths(reader.header().box, layout.domain.box)) {
-    throw InputError(
-        path + ":/particles/beads/box/edges",
-        "the box of the first frame differs from the box of the layout that the file contains; the file is "
-        "damaged or was edited: give a trajectory file as beadswim-run wrote it");
+    refuse_edited(path + ":/particles/beads/box/edges",
+                  "the box of the first frame differs from the box of the layout that the file contains");
   }
   return layout;
 }
@@ -60,18 +57,15 @@ std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader
     const int id = of_bead[first[s]];
     const auto found = index_of.find(id);
     if (found == index_of.end()) {
-      throw InputError(
-          path + ":/particles/beads/swimmer",
-          fmt::format(
-              "swimmer {} is not in the layout that the file contains, or occurs twice in this dataset; the "
-              "file is damaged or was edited: give a trajectory file as beadswim-run wrote it",
-              id));
+      refuse_edited(path + ":/particles/beads/swimmer",
+                    fmt::format("swimmer {} is not in the layout that the file contains, or occurs twice in "
+                                "this dataset",
+                                id));
     }
     if (first[s + 1] - first[s] != layout.types.at(layout.swimmers[found->second].type).beads.size()) {
-      throw InputError(
+      refuse_edited(
           path + ":/particles/beads/species",
-          fmt::format("swimmer {} has another number of beads than in the layout that the file contains; the "
-                      "file is damaged or was edited: give a trajectory file as beadswim-run wrote it",
+          fmt::format("swimmer {} has another number of beads than in the layout that the file contains",
                       id));
     }
     indices.push_back(found->second);

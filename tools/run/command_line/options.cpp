@@ -1,10 +1,8 @@
 #include "command_line/options.hpp"
 
 #include <fmt/core.h>
-#include <sys/stat.h>
 
-#include <cerrno>
-#include <cstring>
+#include <filesystem>
 
 #include "beadswim/tools/named_flags.hpp"
 
@@ -241,10 +239,10 @@ void apply_former_tolerance(RunOptions& options) {
 /// Throws InputError if the names of the files that the run writes beside the trajectory would be too long.
 void require_short_name(const std::string& output) {
   const std::string longest = output + ".flow.pvd.tmp4194304";  // the number of a process
-  struct stat status {};
-  if (stat(longest.c_str(), &status) != 0 && errno == ENAMETOOLONG)
+  std::error_code fault;
+  if (!std::filesystem::exists(longest, fault) && fault == std::errc::filename_too_long)
     throw InputError("--output", fmt::format("the file {} cannot be created: {}; give a shorter name",
-                                             longest, std::strerror(errno)));
+                                             longest, fault.message()));
 }
 
 }  // namespace

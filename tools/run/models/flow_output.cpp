@@ -30,13 +30,9 @@ std::vector<float> interleaved(const std::vector<double>& plane, int components)
 
 }  // namespace
 
-FlowOutput::FlowOutput(const std::string& trajectory, const UnitScales& scales, long done, int levels,
+FlowOutput::FlowOutput(const std::string& path, const UnitScales& scales, long done, int levels,
                        const Communicator& communicator)
-    : stem_(trajectory + ".flow"),
-      scales_(scales),
-      done_(done),
-      levels_(levels),
-      communicator_(communicator) {
+    : stem_(path + ".flow"), scales_(scales), done_(done), levels_(levels), communicator_(communicator) {
   std::error_code failure;
   if (communicator_.is_root()) std::filesystem::create_directories(stem_, failure);
   int reason = failure.value();

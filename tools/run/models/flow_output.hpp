@@ -15,10 +15,10 @@ namespace beadswim {
 /// level are hidden.
 class FlowOutput {
  public:
-  /// Creates the folder for the files. `done`: last step of the earlier run that this run continues, or 0;
-  /// removes flow fields of later steps. `levels`: number of levels of cells. Throws InputError if the folder
-  /// cannot be created.
-  FlowOutput(const std::string& trajectory, const UnitScales& scales, long done, int levels,
+  /// Creates the folder for the files. `path`: trajectory; `done`: last step of the earlier run that this run
+  /// continues, or 0: flow fields of later steps are removed; `levels`: number of levels of cells. Throws
+  /// InputError if the folder cannot be created.
+  FlowOutput(const std::string& path, const UnitScales& scales, long done, int levels,
              const Communicator& communicator);
 
   const std::vector<long>& steps() const { return steps_; }  ///< steps whose flow fields are listed

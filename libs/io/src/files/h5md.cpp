@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
@@ -31,9 +30,6 @@ std::string creation_fault(const std::string& path, int& part) {
   if (path == "-" || path.ends_with('/')) return fmt::format("\"{}\" is not the name of a file", path);
   if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode))
     return fmt::format("the path {} exists and is not a regular file", path);
-  std::error_code ignored;
-  if (std::filesystem::is_symlink(link_target(path), ignored))
-    return fmt::format("the file {} cannot be created: {}", path, std::strerror(ELOOP));
   part = open(part_name(path).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (part < 0)
     return fmt::format("the file {} cannot be created: {}", part_name(path), std::strerror(errno));
@@ -88,7 +84,7 @@ WrappedPositions wrap(const std::vector<Vec3>& positions, const std::optional<Bo
     const Vec3 image = box ? image_number(position, *box) : Vec3::Zero(), inside = wrapped(position, box);
     for (int a = 0; a < 3; ++a) {
       const float rounded = static_cast<float>(inside[a]);
-      const bool is_at_edge = box && box->is_periodic(a) && rounded >= box->lengths[a];  // by the rounding
+      const bool is_at_edge = box && box->is_periodic(a) && rounded >= box->lengths[a];  // due to rounding
       result.image.push_back(static_cast<int>(image[a]) + (is_at_edge ? 1 : 0));
       result.position.push_back(is_at_edge ? 0 : rounded);
     }
@@ -267,7 +263,7 @@ void TrajectoryWriter::append_row(const std::string& name, const void* data) {
 }
 
 void TrajectoryWriter::append_sample(const Sampling& sampling, std::int64_t step, double time) {
-  flush();  // if the disk is full, step and time remain without the row that they would make complete
+  flush();  // on a full disk, no row has a time before its numbers are written
   append_row(sampling.step_name, &step);
   append_row(sampling.time_name, &time);
   flush();

@@ -27,7 +27,7 @@ std::filesystem::path link_target(std::filesystem::path path) {
   std::error_code ignored;
   for (int n = 0; n < max_links && std::filesystem::is_symlink(path, ignored); ++n)
     path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
-  return path;
+  return std::filesystem::is_symlink(path, ignored) ? path / "" : path;
 }
 
 std::string part_name(const std::string& path) {

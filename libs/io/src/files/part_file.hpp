@@ -8,8 +8,8 @@
 
 namespace beadswim {
 
-/// Returns the file at the end of a chain of symbolic links; it need not exist. Returns a path that is no
-/// link unchanged. The last link remains if there are more than 40.
+/// Returns the file at the end of a chain of symbolic links; it need not exist. Returns other paths
+/// unchanged. If there are more than 40 links, returns a folder that cannot be opened.
 std::filesystem::path link_target(std::filesystem::path path);
 
 std::string part_name(const std::string& path);

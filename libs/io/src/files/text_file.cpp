@@ -104,13 +104,15 @@ void write_in_place(const fs::path& target, const std::string& text) {
   file.write_all(text, target);
 }
 
-void replace_file(const fs::path& target, const std::string& text) {
+/// Replaces a file. If `path` is a symbolic link, replaces its target.
+void replace_file(const std::string& path, const std::string& text) {
+  const fs::path target = link_target(path);
   std::error_code ignored;
-  if (fs::is_directory(target, ignored)) throw InputError(target, "this path is a folder; name a file");
+  if (fs::is_directory(target, ignored)) throw InputError(path, "this path is a folder; name a file");
   TemporaryFile temporary(target);
   {
     const Descriptor file(temporary.path(), O_WRONLY | O_CREAT | O_TRUNC);
-    if (!file.is_open()) throw cannot_be_created(target);
+    if (!file.is_open()) throw cannot_be_created(path);
     file.write_all(text, target);
     file.sync(target);
   }
@@ -142,17 +144,13 @@ std::string read_text(const std::string& path) {
 
 void write_text(const std::string& path, const std::string& text) {
   if (path == "-") return write_stdout(text);
-  std::error_code fault;
-  const fs::file_status status = fs::status(path, fault);
-  if (fault == std::errc::too_many_symbolic_link_levels) {
-    errno = fault.value();
-    throw cannot_be_created(path);
-  }
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
   // A pipe or device has no earlier contents to preserve, and must not be replaced by a regular file.
   if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
     return write_in_place(path, text);
   }
-  replace_file(link_target(path), text);
+  replace_file(path, text);
 }
 
 }  // namespace beadswim

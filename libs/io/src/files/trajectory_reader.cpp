@@ -19,6 +19,8 @@ namespace {
 
 constexpr const char* remedy = "give a trajectory file of beadswim-run (.h5md or .h5md.part)";
 constexpr const char* cause = "the file is damaged, or beadswim-run did not write it";
+constexpr const char* unreadable = "this part of the HDF5 file cannot be read";
+constexpr const char* missing = "this part of the HDF5 file is missing or cannot be read";
 constexpr hsize_t max_beads = 100'000'000;  // a larger number indicates a damaged file
 
 [[noreturn]] void throw_input_error(const std::string& place, const std::string& what) {
@@ -31,7 +33,8 @@ constexpr hsize_t max_beads = 100'000'000;  // a larger number indicates a damag
 }
 
 /// Returns a handle that closes `id`. Throws InputError with the text `fault` if the id is negative.
-H5Handle checked_handle(hid_t id, H5Handle::Close close, const std::string& place, const std::string& fault) {
+H5Handle checked_handle(hid_t id, H5Handle::Close close, const std::string& place,
+                        const std::string& fault = unreadable) {
   if (id < 0) throw_content_error(place, fault);
   return {id, close, place};
 }
@@ -46,7 +49,7 @@ void require_regular_file(const std::string& path) {
 }
 
 void require_read(herr_t status, const std::string& place) {
-  if (status < 0) throw_content_error(place, "this part of the HDF5 file cannot be read");
+  if (status < 0) throw_content_error(place, unreadable);
 }
 
 /// Throws InputError if the HDF5 file lacks a group of Beadswim trajectories, because another program wrote
@@ -74,8 +77,7 @@ H5Handle open_file(const std::string& path) {
 }
 
 std::vector<hsize_t> extents_of(hid_t dataset, const std::string& place) {
-  const H5Handle space =
-      checked_handle(H5Dget_space(dataset), H5Sclose, place, "this part of the HDF5 file cannot be read");
+  const H5Handle space = checked_handle(H5Dget_space(dataset), H5Sclose, place);
   const int rank = H5Sget_simple_extent_ndims(space);
   if (rank < 0) throw_content_error(place, "the dimensions of this HDF5 dataset cannot be read");
   std::vector<hsize_t> extents(rank);
@@ -130,10 +132,8 @@ std::vector<std::string> text_attribute(hid_t file, const std::string& path, con
   const H5Handle attribute =
       checked_handle(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                      place, fmt::format("this HDF5 object has no attribute \"{}\"", name));
-  const H5Handle type =
-      checked_handle(H5Aget_type(attribute), H5Tclose, place, "this part of the HDF5 file cannot be read");
-  const H5Handle space =
-      checked_handle(H5Aget_space(attribute), H5Sclose, place, "this part of the HDF5 file cannot be read");
+  const H5Handle type = checked_handle(H5Aget_type(attribute), H5Tclose, place);
+  const H5Handle space = checked_handle(H5Aget_space(attribute), H5Sclose, place);
   const std::size_t length = text_length(type);
   const auto count = static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
   hsize_t file_size = 0;
@@ -170,22 +170,17 @@ TrajectoryReader::TrajectoryReader(const std::string& path)
     throw_content_error(path, fmt::format("the trajectory has {} beads; this number must be between 1 and {}",
                                           beads_, max_beads));
   read_header();
-  if (frames_ > 1 && !is_last_frame_written()) --frames_;
+  if (frames_ > 1 && is_unwritten(time_, frames_ - 1)) --frames_;
 }
 
-bool TrajectoryReader::is_last_frame_written() const {
-  const std::vector<double> time = read_raw_rows<double>(time_, frames_ - 2, 2),
-                            edges = read_raw_rows<double>(edges_, frames_ - 2, 2);
-  const auto middle = edges.begin() + std::ssize(edges) / 2;
-  return !(time[1] <= time[0]) && (std::equal(edges.begin(), middle, middle) ||
-                                   std::any_of(middle, edges.end(), [](double edge) { return edge != 0; }));
+bool TrajectoryReader::is_unwritten(const Table& time, hsize_t row) {
+  return read_raw_rows<double>(time, row, 1)[0] == 0;
 }
 
 TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
                                                      std::vector<hsize_t> row) const {
   const std::string place = path_ + ":/" + name;
-  H5Handle dataset = checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place,
-                                    "this part of the HDF5 file is missing or cannot be read");
+  H5Handle dataset = checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, missing);
   Table table{.place = place, .dataset = std::move(dataset), .extents = {}};
   table.extents = extents_of(table.dataset, place);
   const auto fits = [](hsize_t wanted, hsize_t found) { return wanted == found || wanted == any_width; };
@@ -212,14 +207,11 @@ std::vector<Number> TrajectoryReader::read_raw_rows(const Table& table, hsize_t 
   size[0] = count;
   hsize_t numbers = 1;
   for (const hsize_t n : size) numbers *= n;
-  const H5Handle type = checked_handle(H5Dget_type(table.dataset), H5Tclose, table.place,
-                                       "this part of the HDF5 file cannot be read");
+  const H5Handle type = checked_handle(H5Dget_type(table.dataset), H5Tclose, table.place);
   if (!holds<Number>(type))
     throw_content_error(table.place, "the dataset does not contain numbers of a suitable type");
-  const H5Handle in_file = checked_handle(H5Dget_space(table.dataset), H5Sclose, table.place,
-                                          "this part of the HDF5 file cannot be read");
-  const H5Handle in_memory = checked_handle(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place,
-                                            "this part of the HDF5 file cannot be read");
+  const H5Handle in_file = checked_handle(H5Dget_space(table.dataset), H5Sclose, table.place);
+  const H5Handle in_memory = checked_handle(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place);
   require_read(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
                table.place);
   std::vector<Number> values(numbers);
@@ -257,10 +249,9 @@ std::vector<Vec3> TrajectoryReader::vectors(const Table& table, std::size_t fram
 
 std::string TrajectoryReader::text(const std::string& name) const {
   const std::string place = path_ + ":/" + name;
-  const H5Handle dataset = checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place,
-                                          "this part of the HDF5 file is missing or cannot be read");
-  const H5Handle type =
-      checked_handle(H5Dget_type(dataset), H5Tclose, place, "this part of the HDF5 file cannot be read");
+  const H5Handle dataset =
+      checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, missing);
+  const H5Handle type = checked_handle(H5Dget_type(dataset), H5Tclose, place);
   const std::size_t length = text_length(type);
   require_storage(dataset, {}, place);
   std::string padded(length, '\0');
@@ -273,8 +264,8 @@ std::string TrajectoryReader::text(const std::string& name) const {
 
 std::map<std::string, std::string> TrajectoryReader::texts(const std::string& group) const {
   const std::string place = path_ + ":/" + group;
-  const H5Handle opened_group = checked_handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, place,
-                                               "this part of the HDF5 file is missing or cannot be read");
+  const H5Handle opened_group =
+      checked_handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, place, missing);
   H5G_info_t info{};
   require_read(H5Gget_info(opened_group, &info), place);
   std::map<std::string, std::string> result;
@@ -282,7 +273,7 @@ std::map<std::string, std::string> TrajectoryReader::texts(const std::string& gr
     std::array<char, 256> name{};
     if (H5Lget_name_by_idx(opened_group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(),
                            H5P_DEFAULT) < 0) {
-      throw_content_error(place, "this part of the HDF5 file cannot be read");
+      throw_content_error(place, unreadable);
     }
     result[name.data()] = text(group + "/" + name.data());
   }
@@ -373,9 +364,7 @@ std::vector<TrajectoryCycle> TrajectoryReader::cycles(const std::vector<Column>&
     tables.push_back(open_table("swimmers/" + column.name + "/value", row));
     count = std::min(count, tables.back().extents[0]);  // a killed run may have extended only some tables
   }
-  const auto time_of = [&](hsize_t c) { return read_rows<double>(time, c, 1)[0]; };
-  if (count > 0 && time_of(count - 1) <= (count > 1 ? time_of(count - 2) : 0))
-    --count;  // extended, not written
+  if (count > 0 && is_unwritten(time, count - 1)) --count;
   for (hsize_t c = 0; c < count; ++c) {
     TrajectoryCycle& cycle =
         cycles.emplace_back(TrajectoryCycle{.step = read_rows<std::int64_t>(step, c, 1)[0],

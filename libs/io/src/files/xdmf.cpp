@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
-#include <utility>
 
 #include "beadswim/core/xml_text.hpp"
 #include "beadswim/io/json.hpp"
@@ -17,36 +17,39 @@ constexpr const char* int32_type = "NumberType=\"Int\" Precision=\"4\"";
 constexpr const char* float32_type = "NumberType=\"Float\" Precision=\"4\"";
 constexpr const char* float64_type = "NumberType=\"Float\" Precision=\"8\"";
 
-/// Returns an XDMF data item that refers to a dataset of the trajectory. `extents`: numbers of rows and
-/// columns.
+struct Quantity {
+  const char *name, *type;
+};
+constexpr std::array<Quantity, 3> moving{
+    {{"position", float32_type}, {"velocity", float32_type}, {"image", int32_type}}};
+constexpr std::array<Quantity, 3> fixed{
+    {{"radius", float64_type}, {"species", int32_type}, {"swimmer", int32_type}}};
+
+/// Returns an XDMF data item that refers to a dataset of the trajectory.
 std::string dataset(const std::string& extents, const char* type, const std::string& path) {
   return fmt::format("<DataItem Dimensions=\"{}\" {} Format=\"HDF\">{}</DataItem>\n", extents, type, path);
 }
 
-/// Returns the part of a frame that is the same in all frames. The datasets of the domain are numbered
-/// from 1.
-std::string fixed_part(std::size_t beads) {
-  std::string text = fmt::format("<Topology TopologyType='Polyvertex' NumberOfElements='{}'/>", beads);
-  for (const auto& [name, number] : {std::pair{"radius", 4}, {"species", 5}, {"swimmer", 6}})
-    text += fmt::format(
-        "<Attribute Name='{}' AttributeType='Scalar'><DataItem "
-        "Reference='/Xdmf/Domain/DataItem[{}]'/></Attribute>",
-        name, number);
-  return text;
-}
-
 /// Returns the declaration of what all frames share, so that each frame takes only some 400 bytes: default
-/// values of attributes; `fixed`, the part of a frame that is the same in all frames; the datasets with one
-/// row per frame; and `one`, which after the number of a frame selects its row.
+/// values of attributes; `one`, which after the number of a frame selects its row; an entity for each moving
+/// quantity; and `fixed`, the part of a frame that does not move. Datasets of the domain are numbered from 1.
 std::string declarations(std::size_t beads) {
   std::string text = fmt::format(
       "<!DOCTYPE Xdmf [\n<!ATTLIST DataItem Dimensions CDATA \"{0} 3\">\n"
       "<!ATTLIST Attribute AttributeType CDATA \"Vector\" Center CDATA \"Node\">\n"
-      "<!ENTITY fixed \"{1}\">\n<!ENTITY one \" 0 0 1 1 1 1 {0} 3\">\n",
-      beads, fixed_part(beads));
-  for (const auto& [name, number] : {std::pair{"position", 1}, {"velocity", 2}, {"image", 3}})
-    text += fmt::format("<!ENTITY {} \"<DataItem Reference='/Xdmf/Domain/DataItem[{}]'/>\">\n", name, number);
-  return text + "]>\n";
+      "<!ENTITY one \" 0 0 1 1 1 1 {0} 3\">\n",
+      beads);
+  int number = 0;
+  for (const Quantity& quantity : moving)
+    text += fmt::format("<!ENTITY {} \"<DataItem Reference='/Xdmf/Domain/DataItem[{}]'/>\">\n", quantity.name,
+                        ++number);
+  text += fmt::format("<!ENTITY fixed \"<Topology TopologyType='Polyvertex' NumberOfElements='{}'/>", beads);
+  for (const Quantity& quantity : fixed)
+    text += fmt::format(
+        "<Attribute Name='{}' AttributeType='Scalar'><DataItem "
+        "Reference='/Xdmf/Domain/DataItem[{}]'/></Attribute>",
+        quantity.name, ++number);
+  return text + "\">\n]>\n";
 }
 
 std::string row(std::size_t frame, const char* quantity) {
@@ -81,12 +84,9 @@ void write_xdmf(const std::string& trajectory) {
   const std::string data =
       xml_text(std::filesystem::path(trajectory).filename().string()) + ":/particles/beads/";
   std::string text = "<?xml version=\"1.0\"?>\n" + declarations(beads) + "<Xdmf Version=\"2.0\"><Domain>\n";
-  for (const auto& [name, type] :
-       {std::pair{"position", float32_type}, {"velocity", float32_type}, {"image", int32_type}})
+  for (const auto& [name, type] : moving)
     text += dataset(fmt::format("{} {} 3", frames, beads), type, fmt::format("{}{}/value", data, name));
-  for (const auto& [name, type] :
-       {std::pair{"radius", float64_type}, {"species", int32_type}, {"swimmer", int32_type}})
-    text += dataset(fmt::format("{}", beads), type, data + name);
+  for (const auto& [name, type] : fixed) text += dataset(fmt::format("{}", beads), type, data + name);
   text +=
       "<Grid Name=\"trajectory\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
       "<Time TimeType=\"List\">" +

@@ -140,7 +140,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   std::vector<std::unordered_set<std::string>> keys_;  ///< keys of each open object, for a fast search
 };
 
-/// Throws InputError if the text contains a NUL character, where the parser would stop without an error, or
+/// Throws InputError if the text has a NUL character, at which the parser would stop without an error, or
 /// begins as UTF-16 or UTF-32 does.
 void require_no_nul(const std::string& text, const std::string& source) {
   const bool has_mark = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");

@@ -75,12 +75,12 @@ inline Vec3 image_number(const Vec3& position, const Box& box) {
   return image;
 }
 
-/// Returns the position with its periodic coordinates wrapped into the box, from 0 to below the box length:
-/// multiples of the box lengths are subtracted. Coordinates along other axes are unchanged. In open space (no
-/// box), all coordinates are unchanged.
+/// Returns the position with its periodic coordinates wrapped into the box, from 0 to below the box length.
+/// Other coordinates, and all in open space (no box), are unchanged.
 inline Vec3 wrapped(Vec3 position, const std::optional<Box>& box) {
-  const Vec3 image = box ? image_number(position, *box) : Vec3::Zero();
-  for (int a = 0; a < 3 && box; ++a)
+  if (!box) return position;
+  const Vec3 image = image_number(position, *box);
+  for (int a = 0; a < 3; ++a)
     if (box->is_periodic(a)) position[a] = std::max(position[a] - box->lengths[a] * image[a], 0.0);
   return position;
 }

@@ -50,8 +50,8 @@ class StoppedEarly : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Opens each standard stream that is closed so that its use fails. Otherwise the next file or socket would
-/// take its number, and swallow what the program prints. Each program calls this function first.
+/// Opens each closed standard stream so that its use fails; otherwise the next file would take its number and
+/// receive what the program prints. Each program calls this function first.
 void hold_closed_streams();
 
 /// Writes text to stderr. Ignores write errors, because a closed or full stderr must not end a run.

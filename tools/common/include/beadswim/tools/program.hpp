@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,8 +61,8 @@ CLI::Validator finite_positive();
 CLI::Validator finite_non_negative();
 CLI::Validator number_between(double low, double high);
 CLI::Validator fraction();  ///< above 0 and below 1
-CLI::Validator angle();     ///< a finite number of radians, or of degrees with the ending deg, such as 90deg
-CLI::Validator non_negative_angle();
+/// A finite number of radians, or of degrees with the ending deg, such as 90deg, that is not below `min`.
+CLI::Validator angle(double min = -HUGE_VAL);
 CLI::Validator whole_number(std::int64_t low, std::int64_t high);
 CLI::Validator whole_positive();     ///< from 1 to 10^6
 CLI::Validator product_tolerance();  ///< relative error of mobility products, from 1e-12 to 1e-2
