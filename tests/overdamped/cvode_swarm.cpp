@@ -61,7 +61,7 @@ class SwarmRates {
   explicit SwarmRates(const OverdampedScene& scene)
       : scene_(scene),
         world_(MPI_COMM_WORLD),
-        start_(rest_positions(scene)),
+        start_(start_positions(scene)),
         product_({scene.model, scene.viscosity, scene.box, bead_radii(scene), scene.tolerance}, start_,
                  world_),
         preconditioner_(scene.swimmers.size()) {}

@@ -94,7 +94,7 @@ Run by_cvode_at(const OverdampedScene& scene, int cycles, double tolerance, Cvod
     return Run{.name = fmt::format("CVODE, {}, {:.0e}", how, tolerance),
                .products = result.products,
                .steps = result.steps,
-               .displacements = difference(result.positions, rest_positions(scene))};
+               .displacements = difference(result.positions, start_positions(scene))};
   });
 }
 

@@ -45,7 +45,7 @@ TEST(PlacedSwimmers, ShareATypeUnlessTheyHaveDrivingOfTheirOwn) {
 // Catches beads that are listed by type or in another order than their swimmers.
 TEST(PlacedSwimmers, HaveTheirBeadsInTheirOrder) {
   const Swarm swarm = placed_swimmers(three_swimmers());
-  const std::vector<Vec3> positions = rest_positions(swarm);
+  const std::vector<Vec3> positions = start_positions(swarm);
   ASSERT_EQ(positions.size(), 9U);
   EXPECT_EQ(bead_radii(swarm).size(), 9U);
   for (int s = 0; s < 3; ++s) EXPECT_EQ(positions[3 * s + 1], swarm.swimmers[s].position);
@@ -77,7 +77,7 @@ TEST(PlacedSwimmers, BeginOnTheShapesOfTheirDrives) {
     }
   }
   const Swarm swarm = placed_swimmers(layout);
-  const std::vector<Vec3> placed = rest_positions(swarm);
+  const std::vector<Vec3> placed = start_positions(swarm);
   for (std::size_t s = 0; s < 4; ++s) {
     const std::size_t other = beads[3 * s].swimmer;
     const auto same = std::ranges::find(swarm.swimmers, layout.swimmers[other].id, &PlacedSwimmer::id);

@@ -54,13 +54,13 @@ SwarmScene scene_of(Layout layout, const std::string& source) {
                    .in_layout = {},
                    .swimmers = {}};
   const Swarm swarm = listed_swimmers(scene.layout);
+  const std::vector<Vec3> centres = start_positions(swarm);
+  auto centre = centres.begin();
   for (const PlacedSwimmer& swimmer : swarm.swimmers) {
     const SwimmerType& type = swarm.type_of(swimmer);
     scene.in_layout.push_back(scene.in_layout.size());
-    const std::vector<Vec3> places = rest_positions(type, swimmer.position, swimmer.orientation);
     PicturedSwimmer pictured{.id = swimmer.id, .beads = {}, .bonds = bonds_of(type)};
-    for (std::size_t b = 0; b < places.size(); ++b)
-      pictured.beads.push_back({.centre = places[b], .radius = type.beads[b].radius});
+    for (const Bead& bead : type.beads) pictured.beads.push_back({.centre = *centre++, .radius = bead.radius});
     scene.swimmers.push_back(std::move(pictured));
   }
   return scene;

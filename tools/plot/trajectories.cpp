@@ -15,7 +15,6 @@
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/figure/curves.hpp"
 #include "beadswim/scene/units.hpp"
-#include "beadswim/swimmers/relaxed_shape.hpp"
 #include "flags.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
@@ -100,10 +99,9 @@ double angle_of(const TrajectoryFile& file, int swimmer, const TrajectoryFrame& 
   const std::vector<int> ids = file.swimmers();
   const std::size_t index = std::ranges::find(ids, swimmer) - ids.begin();
   const std::size_t first = file.reader.header().first_beads()[index];
-  const Swimmer& placed = file.layout.swimmers[file.in_layout[index]];
-  const SwimmerType type = at_start(file.layout.resolved_type(placed));
+  const SwimmerType& type = file.type(index);
   const std::span<const Vec3> beads(&frame.positions[first], type.beads.size());
-  const Vec3 axis = axis_of(type, beads, placed.orientation());
+  const Vec3 axis = axis_of(type, beads, file.layout.swimmers[file.in_layout[index]].orientation());
   return std::asin(std::clamp(axis[coordinate], -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 

@@ -53,12 +53,12 @@ void warn_of_missing_cycles(ModelPlan& plan) {
     missing += end > steps + 0.5;
     needed = std::max(needed, end);
   }
-  if (missing == 0) return;
-  plan.warnings.push_back(
-      {"no-cycle",
-       fmt::format("the run is too short for a complete cycle of {} of {} swimmers, so it gives neither "
-                   "velocity nor stroke of them; run {:.6g} cycles or more",
-                   missing, plan.swimmers.size(), needed / cycle)});
+  if (missing > 0)
+    plan.warnings.push_back(
+        {"no-cycle",
+         fmt::format("the run is too short for a complete cycle of {} of {} swimmers, so it gives neither "
+                     "velocity nor stroke of them; run {:.6g} cycles or more",
+                     missing, plan.swimmers.size(), needed / cycle)});
 }
 
 }  // namespace

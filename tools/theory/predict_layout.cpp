@@ -12,7 +12,6 @@
 #include "beadswim/scene/force_directions.hpp"
 #include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/scene/units.hpp"
-#include "beadswim/swimmers/relaxed_shape.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/theory/surroundings.hpp"
@@ -28,7 +27,7 @@ using TheorySwimmer = std::variant<CollinearSwimmer, ShapedSwimmer>;
 /// Returns the parameters of a swimmer that theory needs. Throws InputError, with layout and swimmer in the
 /// message, if a spring of a three-bead swimmer has no stiffness.
 TheorySwimmer theory_swimmer(const Layout& layout, const Swimmer& swimmer, const std::string& source) {
-  const SwimmerType type = at_start(layout.resolved_type(swimmer));
+  const SwimmerType type = layout.resolved_type(swimmer);
   const double viscosity = layout.fluid.dynamic_viscosity();
   const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
   const bool is_at_rest = !layout.domain.half_space && layout.flow.is_zero();

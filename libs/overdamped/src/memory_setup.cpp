@@ -54,7 +54,7 @@ void check_net_forces(const OverdampedScene& scene, const std::string& source) {
 
 Box box_for_open_space(const OverdampedScene& scene) {
   constexpr double extents = 5;
-  const Bounds bounds(rest_positions(scene));
+  const Bounds bounds(start_positions(scene));
   const double extent = (bounds.high - bounds.low).maxCoeff() + 2 * largest_radius(scene.types);
   return {.lengths = Vec3::Constant(extents * extent), .boundary = {}};
 }

@@ -69,10 +69,10 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
     : scene_(std::move(scene)),
       communicator_(communicator),
       radii_(bead_radii(scene_)),
-      mobility_(mobility_scene(scene_), rest_positions(scene_), communicator),
+      mobility_(mobility_scene(scene_), start_positions(scene_), communicator),
       implicit_step_(std::make_unique<ImplicitStep>(scene_, radii_, mobility_, communicator_)) {
   const Beads nowhere(radii_.size(), Vec3::Zero());
-  state_.positions.fill(rest_positions(scene_));
+  state_.positions.fill(start_positions(scene_));
   state_.velocities.fill(nowhere);
   state_.distant.fill(nowhere);
   if (scene_.model == MobilityModel::oseen) lowest_mode_.resize(3 * std::ssize(radii_));

@@ -61,7 +61,7 @@ StepCost estimated_cost(const OverdampedScene& scene) {
 
 /// Measures the cost of products with forces that oscillate. Collective.
 StepCost measured_cost(const OverdampedScene& scene, const Communicator& communicator) {
-  const Beads places = rest_positions(scene);
+  const Beads places = start_positions(scene);
   Beads forces(places.size()), velocities(places.size());
   MobilityProduct product(mobility_scene(scene), places, communicator);
   int count = 0;

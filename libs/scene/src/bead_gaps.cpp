@@ -45,11 +45,12 @@ double smallest_wall_gap(const std::vector<PlacedBead>& beads, const Domain& dom
 std::vector<PlacedBead> placed_beads(const Layout& layout) {
   std::vector<PlacedBead> beads;
   const Swarm swarm = listed_swimmers(layout);
+  const std::vector<Vec3> centres = start_positions(swarm);
   for (std::size_t s = 0; s < swarm.swimmers.size(); ++s) {
-    const SwimmerType& type = swarm.type_of(swarm.swimmers[s]);
-    const auto centres = rest_positions(type, swarm.swimmers[s].position, swarm.swimmers[s].orientation);
-    for (int i = 0; i < std::ssize(centres); ++i)
-      beads.push_back({.centre = centres[i], .radius = type.beads[i].radius, .swimmer = s, .bead = i});
+    const std::vector<BeadAtRest>& of_type = swarm.type_of(swarm.swimmers[s]).beads;
+    for (int i = 0; i < std::ssize(of_type); ++i)
+      beads.push_back(
+          {.centre = centres[beads.size()], .radius = of_type[i].radius, .swimmer = s, .bead = i});
   }
   return beads;
 }

@@ -14,7 +14,7 @@ Swarm listed_swimmers(const Layout& layout) {
   for (const Swimmer& swimmer : layout.swimmers) {
     int type = static_cast<int>(swarm.types.size());
     if (!swimmer.driving) type = shared_types.try_emplace(swimmer.type, type).first->second;
-    if (type == std::ssize(swarm.types)) swarm.types.push_back(at_start(layout.resolved_type(swimmer)));
+    if (type == std::ssize(swarm.types)) swarm.types.push_back(layout.resolved_type(swimmer));
     swarm.swimmers.push_back(
         {.id = swimmer.id, .type = type, .position = swimmer.position, .orientation = swimmer.orientation()});
   }
@@ -38,10 +38,12 @@ std::vector<BeadRange> bead_ranges(const Swarm& swarm) {
   return ranges;
 }
 
-std::vector<Vec3> rest_positions(const Swarm& swarm) {
+std::vector<Vec3> start_positions(const Swarm& swarm) {
+  std::vector<SwimmerType> starts;
+  for (const SwimmerType& type : swarm.types) starts.push_back(at_start(type));
   std::vector<Vec3> positions;
   for (const PlacedSwimmer& swimmer : swarm.swimmers) {
-    for (const Vec3& bead : rest_positions(swarm.type_of(swimmer), swimmer.position, swimmer.orientation))
+    for (const Vec3& bead : rest_positions(starts[swimmer.type], swimmer.position, swimmer.orientation))
       positions.push_back(bead);
   }
   return positions;

@@ -192,12 +192,7 @@ Json shape_driving_difference(const Driving& driving, const Driving& of_type) {
   const Json ordinary = json_of(of_type);
   for (const auto& [key, value] : ordinary.items()) {
     if (!json.contains(key)) {  // states what the type's driving has and this one does not
-      if (key == "phase_offset")
-        json[key] = 0.0;
-      else if (key == "net_force")
-        json[key] = "zero";
-      else
-        json[key] = Json::array();
+      json[key] = key == "phase_offset" ? Json(0.0) : key == "net_force" ? Json("zero") : Json::array();
     } else if (json[key] == value) {
       json.erase(key);
     }

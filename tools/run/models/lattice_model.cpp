@@ -24,19 +24,15 @@ std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator
   const Index3& cells = on_lattice.scene.cells;
   const LatticeChoice& lattice = on_lattice.lattice;
   const std::vector<Block> levels = on_lattice.scene.all_levels();
-  if (levels.size() > 1) {
-    return fmt::format(
-        "{:.3g} cells on {} levels, the finest of {:.6g}, time step {:.6g}, relaxation time {:.6g}, {} steps "
-        "per cycle, {} swimmers, {} precision, {:.2g} GB on {} ranks",
-        cells_on_levels(levels), levels.size(), lattice.scales.length, lattice.scales.time,
-        lattice.relaxation_time, lattice.steps_per_period, on_lattice.scene.swimmers.size(),
-        to_text(on_lattice.scene.precision), 1e-9 * lattice_bytes(on_lattice.scene), communicator.size());
-  }
+  const std::string size =
+      levels.size() > 1
+          ? fmt::format("{:.3g} cells on {} levels, the finest", cells_on_levels(levels), levels.size())
+          : fmt::format("{} x {} x {} cells", cells[0], cells[1], cells[2]);
   return fmt::format(
-      "{} x {} x {} cells of {:.6g}, time step {:.6g}, relaxation time {:.6g}, {} steps per cycle, {} "
-      "swimmers, {} precision, {:.2g} GB on {} ranks",
-      cells[0], cells[1], cells[2], lattice.scales.length, lattice.scales.time, lattice.relaxation_time,
-      lattice.steps_per_period, on_lattice.scene.swimmers.size(), to_text(on_lattice.scene.precision),
+      "{} of {:.6g}, time step {:.6g}, relaxation time {:.6g}, {} steps per cycle, {} swimmers, {} "
+      "precision, {:.2g} GB on {} ranks",
+      size, lattice.scales.length, lattice.scales.time, lattice.relaxation_time, lattice.steps_per_period,
+      on_lattice.scene.swimmers.size(), to_text(on_lattice.scene.precision),
       1e-9 * lattice_bytes(on_lattice.scene), communicator.size());
 }
 

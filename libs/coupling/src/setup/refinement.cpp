@@ -85,11 +85,9 @@ std::vector<SwimmerSnapshot> share_snapshots(CoupledSystem& system, const Commun
 
 BeadExtent bead_extent(const CoupledScene& scene) {
   BeadExtent extent;
-  for (const PlacedSwimmer& swimmer : scene.swimmers) {
-    const SwimmerType& type = scene.type_of(swimmer);
-    const std::vector<Vec3> beads = rest_positions(type, swimmer.position, swimmer.orientation);
-    for (std::size_t b = 0; b < beads.size(); ++b) extent.add(beads[b], type.beads[b].radius);
-  }
+  const std::vector<Vec3> centres = start_positions(scene);
+  const std::vector<double> radii = bead_radii(scene);
+  for (std::size_t b = 0; b < centres.size(); ++b) extent.add(centres[b], radii[b]);
   return extent;
 }
 

@@ -24,10 +24,8 @@ bool needs_balance(const CoupledScene& scene) {
                              [](const SwimmerType& type) { return !net_forces(type.driving).empty(); });
 }
 
-/// Returns the state of a swimmer whose beads are at rest.
-SwimmerState at_rest(const CoupledScene& scene, const PlacedSwimmer& swimmer) {
-  const std::vector<Vec3> places =
-      rest_positions(scene.type_of(swimmer), swimmer.position, swimmer.orientation);
+/// Returns the state of a swimmer whose beads do not move.
+SwimmerState at_rest(const PlacedSwimmer& swimmer, std::span<const Vec3> places) {
   SwimmerState state = SwimmerState::of_beads(places.size());
   state.id = swimmer.id;
   state.type = swimmer.type;

@@ -262,13 +262,6 @@ void TrajectoryWriter::append_row(const std::string& name, const void* data) {
   ++series.rows;
 }
 
-void TrajectoryWriter::append_sample(const Sampling& sampling, std::int64_t step, double time) {
-  flush();  // on a full disk, no row has a time before its numbers are written
-  append_row(sampling.step_name, &step);
-  append_row(sampling.time_name, &time);
-  flush();
-}
-
 void TrajectoryWriter::flush() const {
   require_written(H5Fflush(file_, H5F_SCOPE_GLOBAL));
 }
@@ -289,7 +282,10 @@ void TrajectoryWriter::append(const TrajectoryFrame& frame) {
     append_row("particles/beads/velocity/value", velocities.data());
     append_row("observables/mean_flow/value", frame.mean_flow.data());
     append_row("observables/momentum/value", frame.momentum.data());
-    append_sample(frames_, frame.step, frame.time);
+    flush();  // on a full disk, no row has a time before its numbers are written
+    append_row(frames_.step_name, &frame.step);
+    append_row(frames_.time_name, &frame.time);
+    flush();
   });
 }
 
@@ -297,7 +293,10 @@ void TrajectoryWriter::append(const TrajectoryCycle& cycle) {
   run_on_root([&] {
     for (const Column& column : cycle.columns)
       append_row(swimmers_group + column.name + "/value", column.numbers.data());
-    append_sample(cycles_, cycle.step, cycle.time);
+    flush();
+    append_row(cycles_.step_name, &cycle.step);
+    append_row(cycles_.time_name, &cycle.time);
+    flush();
   });
 }
 

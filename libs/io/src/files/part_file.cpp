@@ -23,9 +23,8 @@ int sync(const std::string& path, int flags) {
 }  // namespace
 
 std::filesystem::path link_target(std::filesystem::path path) {
-  constexpr int max_links = 40;  // as in Linux
   std::error_code ignored;
-  for (int n = 0; n < max_links && std::filesystem::is_symlink(path, ignored); ++n)
+  for (int n = 0; n < 40 && std::filesystem::is_symlink(path, ignored); ++n)
     path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
   return std::filesystem::is_symlink(path, ignored) ? path / "" : path;
 }

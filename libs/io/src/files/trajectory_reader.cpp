@@ -85,14 +85,10 @@ std::vector<hsize_t> extents_of(hid_t dataset, const std::string& place) {
   return extents;
 }
 
-hid_t native_type(double) {
-  return H5T_NATIVE_DOUBLE;
-}
-hid_t native_type(int) {
-  return H5T_NATIVE_INT;
-}
-hid_t native_type(std::int64_t) {
-  return H5T_NATIVE_INT64;
+template <typename Number>
+hid_t native_type() {
+  if (std::is_floating_point_v<Number>) return H5T_NATIVE_DOUBLE;
+  return sizeof(Number) == sizeof(int) ? H5T_NATIVE_INT : H5T_NATIVE_INT64;
 }
 
 /// Returns true if numbers of the type `type` in the file can be read as Number. A floating-point Number
@@ -170,11 +166,8 @@ TrajectoryReader::TrajectoryReader(const std::string& path)
     throw_content_error(path, fmt::format("the trajectory has {} beads; this number must be between 1 and {}",
                                           beads_, max_beads));
   read_header();
-  if (frames_ > 1 && is_unwritten(time_, frames_ - 1)) --frames_;
-}
-
-bool TrajectoryReader::is_unwritten(const Table& time, hsize_t row) {
-  return read_raw_rows<double>(time, row, 1)[0] == 0;
+  // On a full disk, a last row can exist whose time is not written and reads as zero.
+  if (frames_ > 1 && read_raw_rows<double>(time_, frames_ - 1, 1)[0] == 0) --frames_;
 }
 
 TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
@@ -215,7 +208,7 @@ std::vector<Number> TrajectoryReader::read_raw_rows(const Table& table, hsize_t 
   require_read(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
                table.place);
   std::vector<Number> values(numbers);
-  if (H5Dread(table.dataset, native_type(Number{}), in_memory, in_file, H5P_DEFAULT, values.data()) < 0) {
+  if (H5Dread(table.dataset, native_type<Number>(), in_memory, in_file, H5P_DEFAULT, values.data()) < 0) {
     throw_content_error(table.place, "the numbers in this HDF5 dataset cannot be read");
   }
   return values;
@@ -364,7 +357,7 @@ std::vector<TrajectoryCycle> TrajectoryReader::cycles(const std::vector<Column>&
     tables.push_back(open_table("swimmers/" + column.name + "/value", row));
     count = std::min(count, tables.back().extents[0]);  // a killed run may have extended only some tables
   }
-  if (count > 0 && is_unwritten(time, count - 1)) --count;
+  if (count > 0 && read_raw_rows<double>(time, count - 1, 1)[0] == 0) --count;  // not written: full disk
   for (hsize_t c = 0; c < count; ++c) {
     TrajectoryCycle& cycle =
         cycles.emplace_back(TrajectoryCycle{.step = read_rows<std::int64_t>(step, c, 1)[0],

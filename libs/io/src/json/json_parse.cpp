@@ -140,8 +140,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   std::vector<std::unordered_set<std::string>> keys_;  ///< keys of each open object, for a fast search
 };
 
-/// Throws InputError if the text has a NUL character, at which the parser would stop without an error, or
-/// begins as UTF-16 or UTF-32 does.
+/// Throws InputError if the text is UTF-16 or has a NUL character, which the parser takes for the end.
 void require_no_nul(const std::string& text, const std::string& source) {
   const bool has_mark = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
   const std::size_t nul = has_mark ? 0 : text.find('\0');

@@ -86,13 +86,17 @@ ResolutionNumbers resolution_numbers(const Layout& layout) {
 /// Adds how far drives at time 0 move beads from their places at rest.
 void add_start_displacements(const Layout& layout, std::map<std::string, TypeNumbers>& numbers) {
   const Swarm swarm = listed_swimmers(layout);
+  std::vector<double> farthest;  // of each type
+  for (const SwimmerType& type : swarm.types) {
+    const SwimmerType start = at_start(type);
+    farthest.push_back(0);
+    for (std::size_t b = 0; b < type.beads.size(); ++b)
+      farthest.back() = std::max(farthest.back(), (start.beads[b].at - type.beads[b].at).norm());
+  }
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
-    const SwimmerType& at_start = swarm.type_of(swarm.swimmers[s]);
-    if (!has_driven_shape(at_start.driving)) continue;
-    const std::string& name = layout.swimmers[s].type;
-    double& largest = numbers[name].start_displacement.emplace(numbers[name].start_displacement.value_or(0));
-    for (std::size_t b = 0; b < at_start.beads.size(); ++b)
-      largest = std::max(largest, (at_start.beads[b].at - layout.types.at(name).beads[b].at).norm());
+    if (!has_driven_shape(swarm.type_of(swarm.swimmers[s]).driving)) continue;
+    std::optional<double>& largest = numbers[layout.swimmers[s].type].start_displacement;
+    largest = std::max(largest.value_or(0), farthest[swarm.swimmers[s].type]);
   }
 }
 

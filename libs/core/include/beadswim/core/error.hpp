@@ -50,8 +50,7 @@ class StoppedEarly : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Opens each closed standard stream so that its use fails; otherwise the next file would take its number and
-/// receive what the program prints. Each program calls this function first.
+/// Makes the use of closed standard streams fail; otherwise a file could take their numbers. Call it first.
 void hold_closed_streams();
 
 /// Writes text to stderr. Ignores write errors, because a closed or full stderr must not end a run.

@@ -133,8 +133,6 @@ class TrajectoryWriter {
   /// Adds the group of a time-dependent quantity (an H5MD element), with the datasets value, step and time.
   void add_element(Sampling& sampling, const std::string& name, hid_t type, std::vector<hsize_t> row);
   void append_row(const std::string& name, const void* data);
-  /// Completes a row of all series of the sampling with its step and time.
-  void append_sample(const Sampling& sampling, std::int64_t step, double time);
   void flush() const;
   /// Throws SolverError if `status` indicates a failure of HDF5.
   void require_written(herr_t status) const;

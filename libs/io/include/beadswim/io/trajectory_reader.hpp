@@ -50,8 +50,6 @@ class TrajectoryReader {
   std::map<std::string, std::string> texts(const std::string& group) const;
   std::array<Boundary, 3> boundary() const;
   std::optional<Box> box(std::size_t frame) const;
-  /// Returns true if the file has room for a row but not its time > 0, as after a full disk.
-  static bool is_unwritten(const Table& time, hsize_t row);
   void read_header();
   void require_complete_swimmers() const;
 

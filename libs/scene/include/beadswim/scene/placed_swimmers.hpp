@@ -22,7 +22,7 @@ struct PlacedSwimmer {
 
 /// Swimmers and the types that they share.
 struct Swarm {
-  std::vector<SwimmerType> types;  ///< with their beads at the start (at_start())
+  std::vector<SwimmerType> types;
   std::vector<PlacedSwimmer> swimmers;
 
   const SwimmerType& type_of(const PlacedSwimmer& swimmer) const { return types[swimmer.type]; }
@@ -41,10 +41,10 @@ struct BeadRange {
 /// Returns the beads of each swimmer in lists of all beads in order of the swimmers.
 std::vector<BeadRange> bead_ranges(const Swarm& swarm);
 
-/// Returns the centres of all beads at the start [length], in order of the swimmers.
-std::vector<Vec3> rest_positions(const Swarm& swarm);
+/// Returns the centres of all beads at the start (at_start()) [length], in order of the swimmers.
+std::vector<Vec3> start_positions(const Swarm& swarm);
 
-/// Returns the radii of all beads [length], in the order of rest_positions.
+/// Returns the radii of all beads [length], in the order of start_positions.
 std::vector<double> bead_radii(const Swarm& swarm);
 
 /// Returns the largest radius of all beads of the types [length].
