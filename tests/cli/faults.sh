@@ -73,6 +73,7 @@ for folder in nothing layout.json "$(printf 'x%.0s' $(seq 300))"; do
     beadswim-run $rpy --progress none -o "$folder/run.h5md"
 done
 refuses 'loop.svg: the file cannot be created: Too many levels of symbolic links' beadswim-plot stroke run.json -o loop.svg
+refuses 'cannot be created: Too many levels of symbolic links' beadswim-run $rpy --progress none -o loop.svg
 
 # --- a disk that is full or read-only, where this machine lets us mount one
 disk() { # SIZE SHELL-COMMANDS: in an empty folder on a disk of so many kilobytes, with what they print in ../disk.out
@@ -105,6 +106,10 @@ older"
   # The last row of the trajectory is not written: it is left out, whichever dataset lacks it.
   for size in 480 500 520 545 560 580; do
     disk $size "cd ..; beadswim-run $rpy -o disk/a.h5md --progress none --cycles 999 --frames-per-cycle 20; cp disk/a.h5md.part ."
+    if [ ${#views[@]} -gt 0 ]; then
+      run beadswim-view a.h5md.part -o a.html
+      has_status 0
+    fi
     run beadswim-plot trajectories a.h5md.part -o a.svg --data a.csv
     has_status 0
     check "beads jump at the end" awk -F, 'NR > 2 && ($NF - last > 1 || last - $NF > 1) { exit 1 } { last = $NF }' a.csv

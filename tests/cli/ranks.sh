@@ -35,9 +35,9 @@ one=$(jq .state_sha256 out)
 run mpirun -n 14 beadswim-run thin.json -o thin.h5md "${thin[@]}"
 has_status 0
 check "14 ranks change the state" test "$one" = "$(jq .state_sha256 out)"
-run mpirun -n 13 beadswim-run thin.json -o x.h5md "${thin[@]}"
+run mpirun -n 23 beadswim-run thin.json -o x.h5md "${thin[@]}"
 has_status 2
-err_has '^beadswim-run: mpirun -n: 13 ranks cannot share 40 x 12 x 12 cells, because each block needs at least 2 along each axis; use mpirun -n 12 or another --bead-boundary$'
+err_has '^beadswim-run: mpirun -n: 23 ranks cannot share 40 x 12 x 12 cells, because each block needs at least 2 along each axis; use mpirun -n 22 or another --bead-boundary$'
 
 # Prints how many middle beads have been on both sides of the plane at PLACE across AXIS. h5dump prints positions bead by bead, in
 # the order x, y, z.

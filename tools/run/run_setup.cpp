@@ -45,12 +45,11 @@ void add_expected_errors(ModelPlan& plan, const Layout& layout) {
 /// Adds a warning if swimmers complete no cycle until the last frame of the run.
 void warn_of_missing_cycles(ModelPlan& plan) {
   const auto cycle = static_cast<double>(plan.steps_per_cycle);
-  const auto steps = static_cast<double>(plan.steps_in(plan.options.settings.cycles));
   const double frame = cycle / std::min<double>(plan.options.settings.frames_per_cycle, cycle);
   double missing = 0, needed = 0, roundoff = 1e-9;
   for (const PlacedSwimmer& swimmer : plan.swimmers) {
     const double end = frame * std::ceil(std::round(plan.periods[swimmer.type]) / frame - roundoff);
-    missing += end > steps + 0.5;
+    missing += end > static_cast<double>(plan.steps_in(plan.options.settings.cycles)) + 0.5;
     needed = std::max(needed, end);
   }
   if (missing > 0)

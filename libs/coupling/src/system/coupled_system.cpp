@@ -55,8 +55,11 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
   body_force_ = scene_.body_force;
   has_net_force_ = needs_balance(scene_);
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
-  for (const PlacedSwimmer& swimmer : scene_.swimmers) {
-    SwimmerState state = at_rest(scene_, swimmer);
+  const std::vector<Vec3> places = start_positions(scene_);
+  const std::vector<BeadRange> ranges = bead_ranges(scene_);
+  for (std::size_t s = 0; s < ranges.size(); ++s) {
+    const auto [first, last] = ranges[s];
+    SwimmerState state = at_rest(scene_.swimmers[s], std::span(places).subspan(first, last - first));
     if (owns(state)) owned_.push_back(std::move(state));
   }
   beads_ = exchange_.publish(owned_);

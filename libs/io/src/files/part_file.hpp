@@ -8,8 +8,8 @@
 
 namespace beadswim {
 
-/// Returns the file, which need not exist, at the end of a chain of symbolic links; other paths are unchanged.
-/// After 40 links, the limit of Linux, returns a folder that cannot be opened.
+/// Returns the file, which need not exist, at the end of a chain of symbolic links; other paths are
+/// unchanged. After 40 links, the limit of Linux, returns a folder that cannot be opened.
 std::filesystem::path link_target(std::filesystem::path path);
 
 std::string part_name(const std::string& path);
