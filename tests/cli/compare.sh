@@ -59,7 +59,7 @@ jq '.predictions |= (. + [.[] | .method += "-b"] + [.[] | .method += "-c"])' pre
 run beadswim-compare run.json many.json --method multipole-ode
 check "the short table has $(grep -c '^velocity' err) rows of the velocity" test "$(grep -c '^velocity' err)" -eq 4
 err_has '^[0-9]+ rows, of methods with larger errors, are not shown; --all shows them$'
-err_has '^error: run minus reference, relative to the reference; verdicts in parentheses do not count$'
+err_has '^error: run minus reference, relative to the reference, ± the uncertainty of both; verdicts in parentheses do not count$'
 rows=$(jq '.rows | length' out)
 run beadswim-compare run.json many.json --method multipole-ode --all
 check "all rows" test "$(grep -cE '^(velocity|arm|sin)' err)" -eq "$rows"
@@ -145,7 +145,7 @@ refuses 'missing.json: the file cannot be read' beadswim-compare missing.json pr
 refuses 'run.h5md: the file cannot be read' beadswim-compare run.h5md prediction.json
 refuses 'run.h5md: the file cannot be read' beadswim-compare run.json run.h5md
 echo '{ "schema": "beadswim/layout/1" }' >layout.json
-refuses 'layout.json:/schema: .*"layout"' beadswim-compare layout.json prediction.json
+refuses 'layout.json:/schema: the document is a layout' beadswim-compare layout.json prediction.json
 refuses 'layout.json: the document has the schema "beadswim/layout/1"; a run record .* or a prediction' beadswim-compare run.json layout.json
 echo '[]' >list.json
 refuses 'list.json: the document has no key "schema"' beadswim-compare run.json list.json

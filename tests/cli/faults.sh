@@ -127,7 +127,7 @@ large="large.json -o large.h5md --cycles 0.001 --progress none"
 needed='out of memory: the lattice needs about 5.7 GB on [12] ranks; use a smaller --cells-per-radius'
 fails "$needed" bash -c "ulimit -v 1000000; beadswim-run $large"
 fails "$needed" bash -c "ulimit -v 1000000; mpirun -n 2 beadswim-run $large"
-check "one rank alone reports" test "$(grep -c '^beadswim-run: ' err)" -eq 1
+check "one rank alone reports" test "$(grep -c '^beadswim-run: out of memory' err)" -eq 1
 check "Open MPI reports no abort" test "$(grep -c MPI_ABORT err)" -eq 0
 fails 'out of memory; use fewer swimmers or lattice cells' \
   bash -c "ulimit -v 400000; beadswim-layout swarm --preset paper-uniform --blocks 40,60,40"

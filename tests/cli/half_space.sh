@@ -101,7 +101,7 @@ check 'a warning although no bead approaches' holds '.warnings | all(.code != "w
 beadswim-layout shape sphere --radius 1 --half-space z --position 0,0,1.1 --force 1e-4 --amplitude 0 >low.json
 refuses 'the mobility of oseen is not positive definite at rest: .* bead 1 of swimmer 0, .*use --model rpy' \
   beadswim-run low.json -o low.h5md --model oseen --cycles 1
-refuses 'oseen-ode: .*not positive definite' beadswim-theory low.json --method oseen-ode
+refuses 'stroke: the mobility .*not positive definite' beadswim-theory low.json --method oseen-ode
 row() { # SPACING AMPLITUDE
   beadswim-layout shape chain --unbounded | jq --argjson spacing "$1" --argjson amplitude "$2" '.types[] |= (
     .beads = [range(40) | {radius: 1, density: 1, at: [$spacing * ., 0, 0]}] | .bonds = [range(39) | {beads: [. + 1, . + 2], stiffness: 1}]
@@ -111,8 +111,8 @@ row 2.03 1e-6 >row.json
 refuses 'the mobility of oseen is not positive definite at rest' beadswim-run row.json -o row.h5md --model oseen --cycles 1
 jq '.domain = {lengths: [120, 40, 40], boundary: ["periodic", "periodic", "periodic"]} | .swimmers[0].position = [20, 20, 20]' row.json >boxed.json
 refuses 'the mobility of oseen is not positive definite at rest' beadswim-run boxed.json -o row.h5md --model oseen --cycles 1
-row 2.3 0.27 >row.json
-run beadswim-run row.json -o row.h5md --model oseen --cycles 1 --progress none
+beadswim-layout shape sphere --radius 1 --half-space z --position 0,0,1.6 --force 10 --direction 0,0,-1 --amplitude 0 --period 10 >sinking.json
+run beadswim-run sinking.json -o sinking.h5md --model oseen --steps-per-cycle 40 --cycles 3 --progress none
 has_status 3
 err_has 'not positive definite any more: .*use --model rpy'
 row 2.3 0.1 >row.json

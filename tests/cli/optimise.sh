@@ -60,7 +60,8 @@ check 'power and gap are within their limits' holds '.predictions[0] | .power <=
 run beadswim-optimise paper.json "${limited[@]}" --subject-to power=:1e-12
 has_status 3
 out_empty
-err_has 'none of [0-9]+ layouts is within the limits; the nearest has power [0-9.e-]+ \(must be at most 1e-12\); widen'
+err_has '^beadswim-optimise: the nearest layout: power = [0-9.e-]+ is outside its limits$'
+err_has 'none of [0-9]+ layouts is within the limits; widen'
 run beadswim-optimise paper.json --free amplitude=0.5:2 --maximise velocity --method rpy-perturbation
 err_has 'warning: beads of an arm overlap in their stroke .*add --subject-to gap=0:'
 
@@ -116,11 +117,11 @@ has_status 0
 err_has '^beadswim-optimise: multipole-ode: power = 0.0005.* is outside its limits$'
 check 'the trace says so' holds -s 'last | .stage == "verification" and .feasible == false and .power > 5e-4' verified.jsonl
 # A model that cannot run the layout is refused before the search, one that fails later leaves the result.
-refuses '^beadswim-optimise: --verify-by: lbm cannot run the layout: paper.json: .*a lattice needs a box' \
+refuses '^beadswim-optimise: --verify-by: lbm cannot run the layout: paper.json:.* a lattice needs a box' \
   beadswim-optimise paper.json --free phase=0:180deg --maximise velocity --method oseen-force-closed --verify-by lbm --trace early.jsonl
 check 'no search was made' holds -s 'map(.stage) == ["given"]' early.jsonl
 beadswim-layout swimmer --preset paper-single --box 81,41.5,41 >odd.json
-refuses 'lbm cannot run the layout: odd.json: .*not a whole number' \
+refuses 'lbm cannot run the layout: odd.json:.* not a whole number' \
   beadswim-optimise odd.json --free phase=0:180deg --maximise velocity --method oseen-force-closed --verify-by lbm
 run beadswim-optimise paper.json --free amplitude=0.1:9 --maximise velocity --method oseen-force-closed --verify-by rpy
 has_status 3
@@ -166,7 +167,7 @@ refuses 'the first number must be smaller than the second' beadswim-optimise pap
 refuses '"phase=0:x": "x" is not a finite number' beadswim-optimise paper.json --free phase=0:x --maximise velocity
 refuses 'write NAME=FROM:TO' beadswim-optimise paper.json --free phase=0:1:2 --maximise velocity
 refuses 'named twice' beadswim-optimise paper.json --free phase=0:1 --free phase=1:2 --maximise velocity
-refuses 'leads to nothing: paper.json:/types/a has no key "bead"; did you mean "beads"' \
+refuses '/types/a/bead: unknown key; did you mean "beads"' \
   beadswim-optimise paper.json --free /types/a/bead/0/radius=1:2 --maximise velocity
 refuses 'rpy-ode gives no angular_velocity for this layout; it gives velocity, efficiency, power, gap' \
   beadswim-optimise paper.json --free phase=0:1 --maximise angular_velocity

@@ -78,7 +78,7 @@ accepts beadswim-plot trajectories open.h5md --beads 1,2,3
 
 # A trajectory states neither the Reynolds number nor the penetration depth.
 accepts beadswim-plot stroke long.h5md
-notes_have 'Runs: T = 300;? '
+notes_have 'Runs: T = 300$'
 check 'unknown numbers are not drawn' bash -c '! grep -qE "Re =|δ/λ =" out'
 accepts beadswim-plot swarm open.h5md
 notes_have '1 swimmer in open space, a box drawn around \(lattice units\)'

@@ -20,7 +20,8 @@ as_shape='.schema = "beadswim/layout/2" | .types[] |= (.driving as {amplitude: [
 for frame in lab initial-axis body; do
   beadswim-layout swimmer --preset paper-single --unbounded --period 700 --amplitude 0.2,0.3 --phase 1.1 --axis 3,1,0 --frame $frame >one.json
   jq "$as_shape | .types[].driving.forces |= (if . then sort_by(.bead) else empty end)" one.json >two.json
-  accepts beadswim-layout check two.json
+  run beadswim-layout check two.json
+  has_status 0
   for model in rpy oseen rpy+near; do
     for version in one two; do
       beadswim-run $version.json -o $version.h5md --model $model --cycles 1 --progress none --no-provenance >$version.rec 2>/dev/null
@@ -223,7 +224,7 @@ check "the record does not warn" holds '.warnings | any(.code == "fast-rotation"
 # --- the velocity of a swimmer that turns is that of theory, whatever the phase at which its cycles begin
 for offset in 0 1; do
   beadswim-layout shape triangle --phase=90deg | jq ".types[].driving.phase_offset = $offset" >circling.json
-  beadswim-run circling.json -o circling.h5md --model rpy --steps-per-cycle 400 --cycles 6 --progress none >circling.run 2>err
+  beadswim-run circling.json -o circling.h5md --model rpy --steps-per-cycle 800 --cycles 2 --progress none >circling.run 2>err
   run beadswim-theory circling.json --method rpy-ode
   cp out circling.theory
   check "phase offset $offset: another velocity than theory" holds --slurpfile run circling.run 'def size: map(. * .) | add | sqrt;
@@ -274,7 +275,7 @@ for drive in 'prescribed-three-bead bonds/0/rest_length 6 6,4' 'purcell-chain an
     beadswim-theory $layout.json --method rpy-ode >$layout.theory
   done
   check "$kind: the first cycle of a varied amplitude is another" holds --slurpfile made made.rec \
-    '[.swimmers[0], $made[0].swimmers[0]] | map(.cycles[0].velocity | map(. * .) | add | sqrt) | .[0] / .[1] - 1 | fabs < 1e-6' varied.rec
+    '[.swimmers[0], $made[0].swimmers[0]] | map(.cycles[0].velocity | map(. * .) | add | sqrt) | .[0] / .[1] - 1 | fabs < 1e-5' varied.rec # their orientations differ
   check "$kind: theory of a varied amplitude is another" holds --slurpfile made made.theory \
     '[.predictions[0], $made[0].predictions[0]] | map(.velocity_vector | map(. * .) | add | sqrt) | .[0] / .[1] - 1 | fabs < 1e-6' varied.theory
 done
@@ -419,7 +420,7 @@ agrees() { # NAME   of a layout
   done
 }
 for shape in chain dumbbell triangle flagellum; do beadswim-layout shape $shape >still-$shape.json && agrees still-$shape; done
-jq '.swimmers[0] += {orientation: [0.8, 0, 0.6, 0]}' still-chain.json >tilted.json && agrees tilted
+jq '.swimmers[0] |= del(.axis) + {orientation: [0.8, 0, 0.6, 0]}' still-chain.json >tilted.json && agrees tilted
 beadswim-layout shape sphere --unbounded | jq '.types[].driving.forces[].direction = [0, 0, 1]' >pulled.json && agrees pulled
 check "the velocity across the axis is compared" holds '.rows[0] | .run > 1e-6 and .reference > 1e-6' out
 jq '.swimmers[].cycles[].velocity[2] *= 1.5' pulled.same >faster.same

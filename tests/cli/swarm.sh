@@ -83,10 +83,10 @@ done
 # One is warned of just if the swimmer is turned so that it swims at another speed.
 speed() { jq '.swimmers[0].cycles[-1].speed_along_axis' out; }
 for swimmer in 'swimmer --preset paper-single --unbounded' 'shape flagellum --unbounded'; do
-  run beadswim-run <(beadswim-layout $swimmer --frame lab) --model rpy --cycles 4 -o speed.h5md --progress none
-  reference=$(speed)
   for way in '--frame lab --axis=-1,0,0' '--frame lab --axis 1,1,0' '--frame lab --axis 0,1,0' \
     '--frame lab --axis 1,0.01,0' '--axis 0,0,1 --frame body' '--axis 1,2,3 --frame initial-axis'; do
+    run beadswim-run <(beadswim-layout $swimmer $(grep -o -- '--frame [a-z-]*' <<<"$way")) --model rpy --cycles 4 -o speed.h5md --progress none
+    reference=$(speed)
     beadswim-layout $swimmer $way >turned.json
     run beadswim-run turned.json --model rpy --cycles 4 -o speed.h5md --progress none
     has_status 0

@@ -251,10 +251,12 @@ TEST(TrajectoryReader, WrapsPositionsBelowTheBoxLengthInSinglePrecisionToo) {
     for (int b = 0; b < 6; ++b) frame.positions[b] = Vec3(x[b], 0, 0);
   });
   const std::string name = "particles/beads/position/value";
-  const H5Handle file(H5Fopen(folder.file("run.h5md").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, name);
-  const H5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name);
   std::array<float, 18> wrapped{};
-  ASSERT_GE(H5Dread(dataset, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, wrapped.data()), 0);
+  {
+    const H5Handle file(H5Fopen(folder.file("run.h5md").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, name);
+    const H5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+    ASSERT_GE(H5Dread(dataset, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, wrapped.data()), 0);
+  }
   const TrajectoryFrame frame = TrajectoryReader(folder.file("run.h5md")).frame(0);
   for (int b = 0; b < 6; ++b) {
     EXPECT_GE(wrapped[3 * b], 0) << x[b];

@@ -52,15 +52,10 @@ std::string uncertainty_text(const ComparisonRow& row) {
                            : fmt::format("± {:.0f} %", 100 * uncertainty);
 }
 
-/// Explains the columns "error" and "verdict", as far as the rows need it.
-std::string legend(std::span<const ComparisonRow> rows) {
-  const bool has_uncertainty = std::ranges::any_of(
-      rows, [](const ComparisonRow& row) { return row.run_uncertainty || row.reference_uncertainty; });
-  std::string text = "error: run minus reference, relative to the reference";
-  if (has_uncertainty) text += ", ± the uncertainty that both together state";
-  if (!std::ranges::all_of(rows, &ComparisonRow::decides)) text += "; verdicts in parentheses do not count";
-  return text + "\n";
-}
+constexpr auto legend =
+    "error: run minus reference, relative to the reference, ± the uncertainty of both; verdicts in "
+    "parentheses "
+    "do not count\n";
 
 using Rows = std::vector<const ComparisonRow*>;
 
@@ -148,7 +143,7 @@ std::string verdict_table(const VerdictDocument& document, bool shows_all) {
                            uncertainty_text(*row), verdict_text(*row));
     shown += section.rows.size();
   }
-  table += legend(document.rows);
+  table += legend;
   if (shown < document.rows.size())
     table += fmt::format("{} rows, of methods with larger errors{}, are not shown; --all shows them\n",
                          document.rows.size() - shown,

@@ -132,13 +132,12 @@ void CheckCommand::run() const {
   DocumentStream stream(files_);
   const bool is_lines = !stream.is_single() || stream.is_lines();
   std::string faults;
-  std::set<std::string> told;
   while (const auto member = stream.next()) {
     try {
       const LayoutDocument document = layout_of(*member);
       const SceneNumbers numbers = scene_numbers(document.layout);
       warn_of_collisions(numbers);
-      warn_of_fixed_forces(document.layout, told);
+      warn_of_fixed_forces(document.layout);
       if (json_) {
         const Json json = json_of(document, numbers);
         write_text("-", is_lines ? dump_json_line(json) : dump_json(json));

@@ -246,7 +246,6 @@ void DefectCommand::run(const CLI::App& program) const {
                                            : "the flag --sigma is missing; give a value");
     }
   }
-  std::set<std::string> told;
   filter_layouts(files_, program, FilterOutput::like_input,
                  [&](const StreamMember&, LayoutDocument document, const auto& emit) {
                    for (const auto& [kind, change] : kinds_)
@@ -254,7 +253,7 @@ void DefectCommand::run(const CLI::App& program) const {
                    if (repair_) repair_overlaps(document.layout);
                    require_sound(document.layout, "the defects",
                                  repair_ ? "" : "; --repair moves swimmers apart");
-                   warn_of_fixed_forces(document.layout, told);
+                   warn_of_fixed_forces(document.layout);
                    emit(document);
                  });
 }

@@ -2,7 +2,8 @@
 
 #include <fmt/core.h>
 
-#include "beadswim/core/error.hpp"
+#include <set>
+
 #include "beadswim/core/temporary_file.hpp"
 #include "beadswim/scene/force_directions.hpp"
 #include "beadswim/tools/program.hpp"
@@ -31,7 +32,8 @@ void filter_layouts(const std::vector<std::string>& files, const CLI::App& progr
     write_text("-", part);
 }
 
-void warn_of_fixed_forces(const Layout& layout, std::set<std::string>& told) {
+void warn_of_fixed_forces(const Layout& layout) {
+  static std::set<std::string> told;
   const std::string warning = warning_of_fixed_forces(layout);
   if (!warning.empty() && told.insert(warning).second)
     print_to_stderr(fmt::format("beadswim-layout: warning: {}\n", warning));

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -24,8 +23,7 @@ void filter_layouts(const std::vector<std::string>& files, const CLI::App& progr
                     const std::function<void(const StreamMember& member, LayoutDocument layout,
                                              const std::function<void(LayoutDocument)>& emit)>& change);
 
-/// Prints the warning of forces that do not turn with their swimmers, if the layout has such swimmers.
-/// `told`: warnings that were printed before, each of which is printed once.
-void warn_of_fixed_forces(const Layout& layout, std::set<std::string>& told);
+/// Prints warning_of_fixed_forces(), each text once.
+void warn_of_fixed_forces(const Layout& layout);
 
 }  // namespace beadswim

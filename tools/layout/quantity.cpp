@@ -17,8 +17,6 @@
 namespace beadswim {
 namespace {
 
-constexpr std::int64_t max_index = 1000000000;
-
 bool is_pointer(const std::string& name) {
   return name.starts_with('/');
 }
@@ -31,25 +29,16 @@ std::vector<std::string> steps_of(const std::string& pointer) {
   return steps;
 }
 
-/// Returns the place to which a JSON pointer leads. Adds the keys that objects lack, with null in the end;
-/// whether a layout may have these keys is for the reader of layouts to say. Throws InputError if the pointer
-/// leads to an entry that a list lacks, or to a list or an object.
+/// Returns the place to which a JSON pointer leads. Adds the keys that objects lack, whose names the reader
+/// of layouts checks; a new value is null. Throws InputError if the pointer leads to an entry that a list
+/// lacks, or to a list or an object.
 Json& value_at(Json& layout, const std::string& pointer, const std::string& source, const std::string& flag) {
   Json* place = &layout;
   std::string done;
-  const std::vector<std::string> steps = steps_of(pointer);
-  for (std::size_t n = 0; n < steps.size(); ++n) {
-    const std::string& step = steps[n];
+  for (const std::string& step : steps_of(pointer)) {
     const std::string where = done.empty() ? source : source + ":" + done;
+    if (place->is_null()) *place = Json::object();
     if (place->is_object()) {
-      const bool leads_to_list = n + 1 < steps.size() && whole_number(0, max_index)(steps[n + 1]).empty();
-      if (!place->contains(step) && leads_to_list) {
-        std::vector<std::string> keys;
-        for (const auto& [key, value] : place->items()) keys.push_back(key);
-        throw InputError(flag, fmt::format("\"{}\" leads to nothing: {} has no key \"{}\"{}", pointer, where,
-                                           step, format_suggestion(step, keys)));
-      }
-      if (!place->contains(step)) (*place)[step] = n + 1 < steps.size() ? Json::object() : Json();
       place = &(*place)[step];
     } else if (place->is_array()) {
       std::size_t index = 0;

@@ -59,13 +59,6 @@ std::vector<Position> first_positions(std::size_t dimensions) {
   return positions;
 }
 
-std::string range_text(const Constraint& constraint) {
-  const auto& [outcome, low, high] = constraint;
-  if (!std::isfinite(low)) return fmt::format("at most {:.4g}", high);
-  return std::isfinite(high) ? fmt::format("from {:.4g} to {:.4g}", low, high)
-                             : fmt::format("at least {:.4g}", low);
-}
-
 }  // namespace
 
 Optimisation::Optimisation(StreamMember member, const Problem& problem, const std::vector<FreeValue>& free,
@@ -221,16 +214,14 @@ void Optimisation::require_found(const SearchResult& found) const {
   if (!found.trial.value)
     throw SolverError(fmt::format("{}: {} could treat none of {} layouts; the last reason was: {}",
                                   member_.source, by_.name, found.evaluations, reason_));
-  const Outcomes nearest = by_.evaluator->evaluate(
-      with_values(layout_, study_point(free_, found.best), member_.source, free_flag), member_.source);
-  std::vector<std::string> outside;
-  for (const Constraint& constraint : problem_.constraints)
-    if (const double value = nearest.at(constraint.outcome).value; !constraint.contains(value))
-      outside.push_back(fmt::format("{} {:.4g} (must be {})", to_text(constraint.outcome), value,
-                                    range_text(constraint)));
-  throw SolverError(fmt::format("{}: none of {} layouts is within the limits; the nearest has {}; widen the "
-                                "bounds of --free or the limits of --subject-to, or give more --evaluations",
-                                member_.source, found.evaluations, fmt::join(outside, ", ")));
+  report_constraints(
+      by_.evaluator->evaluate(with_values(layout_, study_point(free_, found.best), member_.source, free_flag),
+                              member_.source),
+      "the nearest layout: ");
+  throw SolverError(
+      fmt::format("{}: none of {} layouts is within the limits; widen the bounds of --free or the "
+                  "limits of --subject-to, or give more --evaluations",
+                  member_.source, found.evaluations));
 }
 
 /// Finds the ranges around the best position. If a position in them is better, it takes the place of the

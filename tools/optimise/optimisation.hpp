@@ -39,8 +39,8 @@ class Optimisation {
   /// layout satisfies the limits.
   void find(const SearchSettings& settings);
 
-  /// Throws InputError if another method cannot treat the layout as it is or does not give the outcomes, or if
-  /// a model cannot run the first layout that was evaluated.
+  /// Throws InputError if another method cannot treat the layout as it is or does not give the outcomes, or
+  /// if a model cannot run the first layout that was evaluated.
   void require_treated_by(const NamedEvaluator& other) const;
 
   /// Evaluates the layout that was found by another method or model. Returns false if this fails.

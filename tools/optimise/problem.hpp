@@ -36,8 +36,6 @@ StudyPoint study_point(const std::vector<FreeValue>& free, const Position& posit
 struct Constraint {
   Outcome outcome{};
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
-
-  bool contains(double value) const { return low <= value && value <= high; }
 };
 
 /// Parses NAME=:MAX, NAME=MIN: or NAME=MIN:MAX. Throws InputError, also if a name occurs twice.

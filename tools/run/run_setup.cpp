@@ -13,6 +13,7 @@
 #include "beadswim/scene/force_directions.hpp"
 #include "models/lattice_model.hpp"
 #include "models/overdamped_model.hpp"
+#include "record/recorder.hpp"
 
 namespace beadswim {
 namespace {

@@ -24,50 +24,36 @@ namespace {
 /// Cells per radius and relaxation times that a plan tries if the user sets none.
 constexpr std::array usual_cells{2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
 constexpr std::array usual_times{0.6, 0.8, 1.0, 1.5, 2.0};
+constexpr double within =
+    0.13;  // largest relative change of usual numbers of cells that fits them to the box
 
-/// Returns a number of cells per radius that differs from `usual` by at most 13 % and for which each edge of
-/// the box is a whole number of cells. Multiples of 1/4 are preferred. Returns 0 if there is none. `edges`:
-/// edges of the box [smallest radius].
-double commensurate_cells(const Vec3& edges, double usual) {
+/// Returns numbers of cells per radius for which each edge of the box is an integer number of cells. They
+/// differ from `usual_cells` by at most `within`. Multiples of 1/4 are preferred. Returns an empty list in
+/// open space.
+std::vector<double> commensurate_resolutions(const Layout& layout) {
+  if (!layout.domain.box) return {};
+  const Vec3 edges = layout.domain.box->lengths / smallest_radius(layout);
   const auto is_commensurate = [&](double cells) {
     constexpr double roundoff = 1e-9;  // relative deviation, as in put_on_lattice()
     return (cells * edges.array() - (cells * edges.array()).round()).abs().maxCoeff() <
            roundoff * cells * edges.maxCoeff();
   };
-  constexpr double within = 0.13, odd = 0.1;
-  const auto penalty = [&](double cells) {
-    const bool is_quarter = std::abs(4 * cells - std::round(4 * cells)) < 1e-9;
-    return std::abs(cells / usual - 1) + (is_quarter ? 0 : odd);
-  };
-  double nearest = 0;
-  const long first = std::lround(std::ceil(usual * (1 - within) * edges[0] - 1e-9));
-  for (long n = first; static_cast<double>(n) <= usual * (1 + within) * edges[0]; ++n) {
-    const double cells = static_cast<double>(n) / edges[0];
-    if (is_commensurate(cells) && penalty(cells) < penalty(nearest)) nearest = cells;
-  }
-  return nearest;
-}
-
-/// Numbers of cells per radius near `usual_cells`.
-struct Resolutions {
-  std::vector<double> commensurate;  ///< as commensurate_cells() returns them, ascending
-  std::vector<double> left_out;      ///< usual numbers near which there is none
-};
-
-/// Returns the resolutions for the box of the layout. Both lists are empty in open space.
-Resolutions resolutions_for(const Layout& layout) {
-  if (!layout.domain.box) return {};
-  const Vec3 edges = layout.domain.box->lengths / smallest_radius(layout);
-  Resolutions result;
+  std::vector<double> result;
   constexpr double max_cells = 1e6;  // number of cells along an edge, as in put_on_lattice()
   for (const double usual : usual_cells) {
     if (usual * edges.maxCoeff() > max_cells) break;
-    const double cells = commensurate_cells(edges, usual);
-    if (cells == 0) {
-      result.left_out.push_back(usual);
-    } else if (result.commensurate.empty() || cells > result.commensurate.back()) {
-      result.commensurate.push_back(cells);
+    constexpr double odd = 0.1;
+    const auto penalty = [&](double cells) {
+      const bool is_quarter = std::abs(4 * cells - std::round(4 * cells)) < 1e-9;
+      return std::abs(cells / usual - 1) + (is_quarter ? 0 : odd);
+    };
+    double nearest = 0;
+    const long first = std::lround(std::ceil(usual * (1 - within) * edges[0] - 1e-9));
+    for (long n = first; static_cast<double>(n) <= usual * (1 + within) * edges[0]; ++n) {
+      const double cells = static_cast<double>(n) / edges[0];
+      if (is_commensurate(cells) && penalty(cells) < penalty(nearest)) nearest = cells;
     }
+    if (nearest > 0 && (result.empty() || nearest > result.back())) result.push_back(nearest);
   }
   return result;
 }
@@ -204,11 +190,17 @@ LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const Scene
 }
 
 std::string left_out_resolutions(const Layout& layout) {
-  const std::vector<double> left_out = resolutions_for(layout).left_out;
-  if (left_out.empty()) return {};
+  const std::vector<double> cells = commensurate_resolutions(layout);
+  std::vector<double> left_out;
+  std::ranges::copy_if(usual_cells, std::back_inserter(left_out), [&](double usual) {
+    return std::ranges::none_of(cells,
+                                [usual](double near) { return std::abs(near / usual - 1) < within + 1e-6; });
+  });
+  if (!layout.domain.box || left_out.empty()) return {};
   return fmt::format(
-      "lattice runs with {:g} cells per radius or nearly so are left out, because such cells do not divide "
-      "each edge of the box; whole numbers of cells do if each edge is a multiple of the smallest radius, {:g}",
+      "no lattice run has about {:g} cells per radius, because edges of the box would not be whole numbers "
+      "of "
+      "cells; whole numbers of cells fit if each edge is a multiple of the smallest radius, {:g}",
       fmt::join(left_out, ", "), smallest_radius(layout));
 }
 
@@ -216,7 +208,7 @@ std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& fac
                                      const PlanRequest& request, const std::string& source,
                                      const Communicator& communicator) {
   const LatticeSettings& fixed = request.settings.lattice;
-  std::vector<double> cells = resolutions_for(layout).commensurate;
+  std::vector<double> cells = commensurate_resolutions(layout);
   if (fixed.cells_per_radius) cells = {*fixed.cells_per_radius};
   if (cells.empty() && layout.resolution) cells = {layout.resolution->cells_per_radius};
   if (cells.empty()) cells = {4};

@@ -110,8 +110,8 @@ double position_roundoff(const SceneFacts& facts);
 ErrorRange mobility_scene_error(const SceneFacts& facts, MobilityModel model,
                                 const MobilitySettings& settings);
 
-/// Returns a text that lists the usual numbers of cells per radius which lattice_runs() leaves out because
-/// they do not fit the box. Returns an empty string if there are none.
+/// Returns a text with the usual numbers of cells per radius that lattice_runs() leaves out because they do
+/// not fit the box, or an empty string.
 std::string left_out_resolutions(const Layout& layout);
 
 /// Return the candidates (possible runs) with the model lbm and with mobility models, with their expected

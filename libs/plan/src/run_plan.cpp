@@ -162,11 +162,10 @@ RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::st
   mark_runs_beyond_memory(plan.runs, communicator);
   choose(plan, communicator);
   if (!request.has_advice) return plan;
-  if (std::string warning = warning_of_fixed_forces(layout); !warning.empty())
-    plan.hard.push_back(std::move(warning));
-  if (std::string cells = left_out_resolutions(layout);
-      has_lattices && !request.settings.lattice.cells_per_radius && !cells.empty())
-    plan.hard.push_back(std::move(cells));
+  const bool has_usual_cells = has_lattices && !request.settings.lattice.cells_per_radius;
+  for (const std::string& text :
+       {warning_of_fixed_forces(layout), has_usual_cells ? left_out_resolutions(layout) : ""})
+    if (!text.empty()) plan.hard.push_back(text);
   add_hard_cases(plan, facts);
   if (request.may_change_scene) add_proposals(plan, layout, facts);
   return plan;

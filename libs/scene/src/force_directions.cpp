@@ -10,33 +10,26 @@
 namespace beadswim {
 namespace {
 
-bool is_zero(const ForceDrive& drive) {
-  return drive.constant == 0 && sum_of_amplitudes(drive.harmonics) == 0;
+/// Returns true if all harmonics of the drives have odd (`remainder` 1) or even (0) multiples.
+bool have_multiples(const auto& drives, int remainder) {
+  for (const auto& drive : drives)
+    for (const Harmonic& harmonic : drive.harmonics)
+      if (harmonic.amplitude != 0 && harmonic.multiple % 2 != remainder) return false;
+  return true;
 }
 
-/// Returns true if, half a period later, all forces are reversed and all other drives are the same.
-bool reverses_forces_in_half_a_period(const Driving& driving) {
-  const auto multiples_have = [](const auto& drives, int remainder) {
-    return std::ranges::all_of(drives, [remainder](const auto& drive) {
-      return std::ranges::all_of(drive.harmonics, [remainder](const Harmonic& harmonic) {
-        return harmonic.amplitude == 0 || harmonic.multiple % 2 == remainder;
-      });
-    });
-  };
-  return std::ranges::all_of(driving.forces, [](const ForceDrive& drive) { return drive.constant == 0; }) &&
-         multiples_have(driving.forces, 1) && multiples_have(driving.bonds, 0) &&
-         multiples_have(driving.angles, 0);
-}
-
-/// Returns true if forces whose directions are turned by the rotation cause the same stroke.
+/// Returns true if forces whose directions are turned by the rotation cause the same stroke: they are equal,
+/// or all are reversed, as they are half a period later, when other drives are the same.
 bool is_same_driving(const Driving& driving, const Eigen::Matrix3d& rotation) {
   constexpr double largest_sine = 1e-6;  // as axes may deviate from unit vectors
-  const auto all_become = [&](double sign) {
-    return std::ranges::all_of(driving.forces, [&](const ForceDrive& drive) {
-      return is_zero(drive) || (rotation * drive.direction - sign * drive.direction).norm() <= largest_sine;
-    });
-  };
-  return all_become(1) || (reverses_forces_in_half_a_period(driving) && all_become(-1));
+  bool is_equal = true, is_reversed = have_multiples(driving.forces, 1) && have_multiples(driving.bonds, 0) &&
+                                      have_multiples(driving.angles, 0);
+  for (const auto& [bead, direction, constant, harmonics] : driving.forces) {
+    if (constant == 0 && sum_of_amplitudes(harmonics) == 0) continue;
+    is_equal = is_equal && (rotation * direction - direction).norm() <= largest_sine;
+    is_reversed = is_reversed && constant == 0 && (rotation * direction + direction).norm() <= largest_sine;
+  }
+  return is_equal || is_reversed;
 }
 
 }  // namespace

@@ -238,7 +238,7 @@ void apply_former_tolerance(RunOptions& options) {
 
 /// Throws InputError if the names of the files that the run writes beside the trajectory would be too long.
 void require_short_name(const std::string& output) {
-  const std::string longest = output + ".flow.pvd.tmp4194304";  // the number of a process
+  const std::string longest = output + ".ckpt.0.tmp4194304_cid-4194304-4194304.sm";  // by Open MPI
   std::error_code fault;
   if (!std::filesystem::exists(longest, fault) && fault == std::errc::filename_too_long)
     throw InputError("--output", fmt::format("the file {} cannot be created: {}; give a shorter name",

@@ -126,11 +126,9 @@ std::string plan_table(const RunPlan& plan, const RunOptions& options, const Com
   const PlannedRun* choice = plan.choice ? &plan.runs[*plan.choice] : nullptr;
   for (const PlannedRun* run : front)
     text += plan_row(*run, options, communicator, run == choice ? "<- cheapest" : "");
-  const auto possible =
-      std::ranges::count_if(plan.runs, [](const PlannedRun& run) { return run.refused.empty(); });
-  if (const auto others = possible - std::ssize(front); others > 0)
-    text += fmt::format("not listed: {} lattice runs that cost more than a run with a similar or smaller error\n",
-                        others);
+  if (const auto others = std::ranges::count(plan.runs, "", &PlannedRun::refused) - std::ssize(front))
+    text += fmt::format(
+        "not listed: {} lattice runs that cost more than a run with a similar or smaller error\n", others);
   if (plan.best && !choice)
     text += fmt::format("no run has an error limit within {}{}\n", in_percent(plan.tolerance),
                         options.tolerance ? "" : ", the default of --tolerance");

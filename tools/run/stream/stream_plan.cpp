@@ -17,18 +17,16 @@
 namespace beadswim {
 namespace {
 
-/// The plan of one layout as text, and its cheapest run within the tolerance.
+/// The plan of one layout as text, and its run as choose_run() returns it.
 struct MemberPlan {
   std::string document;  ///< line of JSON
   std::string row;       ///< row of the table
   std::optional<PlannedRun> choice;
-  bool has_failed = false;  ///< no run is possible, or none is within the tolerance that was given
 };
 
 /// Costs of the cheapest runs of all layouts.
 struct StreamCosts {
-  int runs = 0;    ///< number of layouts with a run within the tolerance
-  int failed = 0;  ///< number of layouts whose plans failed
+  int runs = 0;  ///< number of layouts with a run
   double core_seconds = 0, output_bytes = 0;
   double max_memory_bytes = 0;  ///< memory of the largest run
 
@@ -41,8 +39,7 @@ struct StreamCosts {
 
   /// Combines the costs of all ranks. Collective.
   void combine(const Communicator& communicator) {
-    for (int* count : {&runs, &failed})
-      MPI_Allreduce(MPI_IN_PLACE, count, 1, MPI_INT, MPI_SUM, communicator.get());
+    MPI_Allreduce(MPI_IN_PLACE, &runs, 1, MPI_INT, MPI_SUM, communicator.get());
     for (double* sum : {&core_seconds, &output_bytes})
       MPI_Allreduce(MPI_IN_PLACE, sum, 1, MPI_DOUBLE, MPI_SUM, communicator.get());
     MPI_Allreduce(MPI_IN_PLACE, &max_memory_bytes, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
@@ -56,7 +53,6 @@ MemberPlan plan_member(const StreamMember& member, const RunOptions& options,
   MemberPlan made;
   const auto refuse = [&](const std::string& reason) {
     made.row = fmt::format("{:>8}  {}\n", member.number, reason);
-    made.has_failed = true;
   };
   try {
     PlanRequest request = plan_request(options, group);
@@ -65,15 +61,14 @@ MemberPlan plan_member(const StreamMember& member, const RunOptions& options,
     Json json = plan_to_json(plan, options, group);
     if (!document.study.is_null()) json["study"] = document.study;
     made.document = dump_json_line(json);
-    if (plan.choice) {
-      made.choice = plan.runs[*plan.choice];
+    if (plan.choice || (plan.best && !options.tolerance)) {
+      made.choice = choose_run(plan, options);
       made.row = fmt::format("{:>8}{}", member.number,
                              plan_row(*made.choice, options, group, study_text(document.study, 4)));
     } else if (plan.best) {
       const PlannedRun& best = plan.runs[*plan.best];
       refuse(fmt::format("no run within {}; smallest error: {}, {}", in_percent(plan.tolerance),
                          flags_of(best, options), in_percent(best.error.limit.largest())));
-      made.has_failed = options.tolerance.has_value();
     } else {
       refuse("no model can run this layout; see \"refused\" in its plan");
     }
@@ -129,20 +124,19 @@ void plan_stream(const StoredLayouts& layouts, const RunOptions& options, const 
       print_to_stderr(rows);
     }
     if (made.choice) costs.add(*made.choice);
-    costs.failed += made.has_failed;
   }
   costs.combine(communicator);
   if (prints)
     print_to_stderr(fmt::format(
-        "all: {} of {} layouts have a run within the tolerance; together {:.3g} core-seconds, "
+        "all: {} of {} layouts have a run{}; together {:.3g} core-seconds, "
         "{:.3g} s on the ranks of this command ({}), {} of output, at most {} of memory per run\n",
-        costs.runs, layouts.size(), costs.core_seconds, costs.core_seconds / communicator.size(),
-        communicator.size(), size_text(costs.output_bytes), size_text(costs.max_memory_bytes)));
-  if (costs.failed > 0)
-    throw RunFailed(
-        fmt::format("{} of {} layouts have no run within the tolerance: see the keys \"best\" and "
-                    "\"reason\" of the lines",
-                    costs.failed, layouts.size()));
+        costs.runs, layouts.size(), options.tolerance ? " within the tolerance" : "", costs.core_seconds,
+        costs.core_seconds / communicator.size(), communicator.size(), size_text(costs.output_bytes),
+        size_text(costs.max_memory_bytes)));
+  if (costs.runs < layouts.size())
+    throw RunFailed(fmt::format(
+        "{} of {} layouts have no run{}: see the keys \"best\" and \"reason\" of the lines",
+        layouts.size() - costs.runs, layouts.size(), options.tolerance ? " within the tolerance" : ""));
 }
 
 }  // namespace beadswim

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <regex>
@@ -30,16 +29,13 @@ std::optional<SchemaName> parse_schema_name(const std::string& text) {
 /// Returns what a document of the kind is, and which program writes it.
 std::string in_words(const std::string& kind) {
   constexpr std::array kinds{
-      std::pair{"bench", "a result of beadswim-bench"},
-      std::pair{"failure", "a failure, whose key \"reason\" says why there is no result"},
       std::pair{"layout", "a layout (beadswim-layout)"},
-      std::pair{"layout-check", "a result of beadswim-layout check"},
-      std::pair{"plan", "a plan of runs (beadswim-run)"},
       std::pair{"prediction", "a prediction (beadswim-theory)"},
       std::pair{"run", "a run record (beadswim-run), without positions, which are in the trajectory (.h5md)"},
       std::pair{"verdict", "a verdict (beadswim-compare)"}};
-  const auto known = std::ranges::find(kinds, kind, [](const auto& each) { return each.first; });
-  return known == kinds.end() ? fmt::format("a document of the kind \"{}\"", kind) : known->second;
+  for (const auto& [name, words] : kinds)
+    if (kind == name) return words;
+  return fmt::format("a document of the kind \"{}\"", kind);
 }
 
 std::string disagreement(const SchemaName& found, const SchemaName& wanted, const std::string& found_text) {
