@@ -55,8 +55,8 @@ out_has '>arm amplitude \(um\)<'
 
 
 # A swarm of over 64 swimmers has none in its record.
-jq 'del(.swimmers) | .swarm = [{index: 1, swimmers: 65, swimming: null, mean_axis: [1, 0, 0], polar_order: 1, nematic_order: 1, director: [1, 0, 0],
-  rotation: null, nearest_neighbour: null, kinetic_energy: 0, momentum: [0, 0, 0]}]' run.json >swarm.json
+jq '{mean: 0, deviation: 0, smallest: 0, largest: 0} as $same | del(.swimmers) | .swarm = [{index: 1, swimmers: 65, swimming: null, mean_axis: [1, 0, 0], polar_order: 1, nematic_order: 1, director: [1, 0, 0],
+  rotation: $same, nearest_neighbour: $same, kinetic_energy: 0, momentum: [0, 0, 0]}]' run.json >swarm.json
 for kind in stroke velocity-against-period separation; do
   refuses 'swarm.json: the run record contains only statistics of the swarm, .* more than 64 swimmers, and there is no swarm.h5md; name the trajectory' \
     beadswim-plot $kind swarm.json

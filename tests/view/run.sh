@@ -36,7 +36,7 @@ beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 60,40,40 
 jq -n '{schema: "beadswim/layout/2", units: "lattice", fluid: {density: 1, kinematic_viscosity: 1}, domain: null,
   types: {triangle: {beads: [[-12, 0, -8], [12, 0, -8], [0, 0, 14]] | map({radius: 3, density: 1, at: .}),
       bonds: [[1, 2], [2, 3], [3, 1]] | map({beads: ., stiffness: 1}),
-      driving: {period: 300, bonds: [range(3) | {bond: (. + 1), rest_length: [{amplitude: (1 + .), phase: (-2 * .)}]}]}},
+      driving: {period: 300, bonds: [range(3) | {bond: (. + 1), rest_length: [{amplitude: (1 + .), phase: (3.141592653589793 * .)}]}]}},
     sphere: {beads: [{radius: 8, density: 1, at: [0, 0, 0]}], driving: {period: 300}}},
   swimmers: [{id: 0, type: "triangle", position: [0, 0, 0]}, {id: 1, type: "sphere", position: [40, 0, 0]}]}' | page shapes --cycles 2
 beadswim-view alone.h5md -o ends.html --every 1000

@@ -36,16 +36,25 @@ SwimmerFacts evaluate_swimmer(Representative representative) {
   return swimmer_facts;
 }
 
+/// Returns true if a swimmer and its periodic image would overlap along its axis.
+bool exceeds_box(const Representative& swimmer, const Layout& cell) {
+  const auto placed = std::ranges::find(cell.swimmers, swimmer.swimmer, &Swimmer::id);
+  double length = swimmer.type.beads[0].radius + swimmer.type.beads[2].radius;
+  for (const Spring& arm : swimmer.type.springs) length += arm.rest_length;
+  return (length * placed->orientation().col(0).cwiseAbs().array() >= cell.domain.box->lengths.array()).any();
+}
+
 /// Returns the facts of all representatives of the cell. A box can leave too little room for a stand-in, which
 /// may be longer than the swimmer itself; its facts are then those in open space.
 std::vector<SwimmerFacts> evaluate_swimmers(const Layout& cell) {
   std::vector<SwimmerFacts> all;
   for (Representative& representative : representatives(cell))
     all.push_back(evaluate_swimmer(std::move(representative)));
-  const auto is_misfit = [](const SwimmerFacts& facts) {
-    return !facts.best && facts.representative.is_stand_in;
+  if (!cell.domain.box) return all;
+  const auto is_misfit = [&](const SwimmerFacts& facts) {
+    return facts.representative.is_stand_in && (!facts.best || exceeds_box(facts.representative, cell));
   };
-  if (!cell.domain.box || std::ranges::none_of(all, is_misfit)) return all;
+  if (std::ranges::none_of(all, is_misfit)) return all;
   Layout open = cell;
   open.domain.box.reset();
   std::vector<SwimmerFacts> others = evaluate_swimmers(open);

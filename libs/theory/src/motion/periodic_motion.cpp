@@ -189,7 +189,7 @@ double smallest_gap_of(const CollinearSwimmer& swimmer, const HarmonicBalance& b
 /// is. Returns nullopt if the method does not converge.
 std::optional<State> solve_newton(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
                                   State state, double driving, double min_gap) {
-  constexpr int max_steps = 40, max_halvings = 12;
+  constexpr int max_steps = 40, max_halvings = 3;  // shorter steps end near contact
   constexpr double last_step = 1e-8;  // relative to the motion; then the error is its square
   const int nodes = static_cast<int>(state.motion.cols());
   if (!(smallest_gap_of(swimmer, balance, state.motion) > min_gap)) state.motion.setZero();
