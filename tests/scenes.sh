@@ -173,9 +173,9 @@ scene_comparisons() {
 draw() { beadswim-plot "${@:2}" >"$folder/$1.svg"; } # NAME KIND ARGUMENT...
 scene_figures() {
   draw stroke stroke stroke.run.json of-run.prediction.json
-  draw period velocity-against-period "$documented"/swimmer-mr-*-A0.2.json alone.prediction.json --method multipole-ode,rpy-ode
+  draw period velocity-against-period "$documented"/swimmer-mr-*-A0.2.json periodic-box.prediction.json --method multipole-ode,rpy-ode
   draw separation separation alone.prediction.json slip.prediction.json --method all
-  draw speed speed-against-error "$documented"/swimmer-*-T4800-A0.2.json --reference alone.prediction.json
+  draw speed speed-against-error "$documented"/swimmer-*-T4800-A0.2.json --reference periodic-box.prediction.json
   draw products mobility-products "$documented/mobility-products.json"
   draw trajectories trajectories swarm-one-rank.h5md
   draw swarm swarm swarm-one-rank.h5md
