@@ -10,9 +10,9 @@
 namespace beadswim {
 
 /// Returns the bead that moves most against some forces if the mobility, in units of that of each bead alone,
-/// has an eigenvalue that is not positive. Then these forces gain work from the fluid. `root_mobility`: square
-/// root of the mobility of each bead alone. `mode`: guess of the eigenvector of the smallest eigenvalue;
-/// becomes the eigenvector, found by the method of Lanczos. Collective.
+/// has an eigenvalue that is not positive. Then these forces gain work from the fluid. `root_mobility`:
+/// square root of the mobility of each bead alone. `mode`: guess of the eigenvector of the smallest
+/// eigenvalue; becomes the eigenvector, found by the method of Lanczos. Collective.
 std::optional<std::size_t> find_reversed_bead(const MobilityProduct& mobility,
                                               std::span<const Vec3> positions,
                                               const Eigen::VectorXd& root_mobility, Eigen::VectorXd& mode,

@@ -253,8 +253,9 @@ void OverdampedSystem::accept(Step step) {
   keep(state_.velocities, std::move(step.velocities));
   keep(state_.distant, std::move(step.distant));
   ++state_.steps_done;
+  update_extremes();
   check_faults();
-  if (!fault_) fault_ = mobility_fault();
+  if (!fault_ && must_check_mobility()) fault_ = mobility_fault();
   if (!is_converged_ && !fault_)
     fault_ = {.kind = OverdampedFaultKind::not_converged, .step = state_.steps_done};
 }
@@ -265,6 +266,9 @@ void OverdampedSystem::step() {
     return;
   }
   state_.steps_done < 2 && !scene_.memory ? take_first_step() : take_bdf_step();
+}
+
+void OverdampedSystem::update_extremes() {
   for (std::size_t b = 0; b < radii_.size(); ++b) {
     const Vec3 slip = state_.velocities[0][b] - scene_.flow.at(state_.positions[0][b]);
     state_.largest_speed = std::max(state_.largest_speed, slip.norm());
@@ -274,9 +278,22 @@ void OverdampedSystem::step() {
   }
 }
 
+/// Returns true if beads have come closer to each other or to the wall since the last check of the mobility,
+/// which costs several products, and otherwise after a number of steps.
+bool OverdampedSystem::must_check_mobility() const {
+  constexpr double closer = 0.01;  // relative to a radius
+  constexpr long interval = 100;
+  return state_.steps_done >= checked_steps_ + interval ||
+         state_.smallest_gap / *std::ranges::min_element(radii_) < checked_gap_ - closer ||
+         state_.smallest_relative_height < checked_height_ - closer;
+}
+
 /// Returns the fault of a mobility that is not positive definite.
 std::optional<OverdampedFault> OverdampedSystem::mobility_fault() {
   if (lowest_mode_.size() == 0) return std::nullopt;
+  checked_steps_ = state_.steps_done;
+  checked_gap_ = state_.smallest_gap / *std::ranges::min_element(radii_);
+  checked_height_ = state_.smallest_relative_height;
   Eigen::VectorXd root_mobility(lowest_mode_.size());
   for (std::size_t b = 0; b < radii_.size(); ++b)
     root_mobility.segment<3>(3 * b).setConstant(std::sqrt(self_mobility(radii_[b], scene_.viscosity)));

@@ -162,8 +162,10 @@ class OverdampedSystem {
   void take_first_step();
   void take_bdf_step();
   void accept(Step step);
+  void update_extremes();
   void check_faults();
   std::optional<OverdampedFault> mobility_fault();
+  bool must_check_mobility() const;
 
   OverdampedScene scene_;
   const Communicator& communicator_;
@@ -172,6 +174,10 @@ class OverdampedSystem {
   std::unique_ptr<ImplicitStep> implicit_step_;
   /// Eigenvector of the smallest eigenvalue of the mobility, of all beads; empty: always positive definite.
   Eigen::VectorXd lowest_mode_;
+  /// Number of steps, smallest gap [radius of the smallest bead] and relative height at the last check of the
+  /// mobility.
+  long checked_steps_ = 0;
+  double checked_gap_ = 0, checked_height_ = 0;
   OverdampedState state_;
   bool is_converged_ = true;  ///< true if all steps so far converged
   std::optional<OverdampedFault> fault_;
