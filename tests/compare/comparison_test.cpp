@@ -84,7 +84,8 @@ TEST(ZeroReference, IsNotAReferenceThatIsOnlySmall) {
 
 TEST(ZeroReference, OfAnArmHasNoPhase) {
   const Reference reference{"p.json", "rpy-ode", true, swimming(1e-5, 2, 1e-15, 0.3)};
-  const RunSwimmer run{.source = "r.json", .id = 0, .swimming = swimming(1e-5, 2, 3e-15, -0.8), .scale = moving};
+  const RunSwimmer run{
+      .source = "r.json", .id = 0, .swimming = swimming(1e-5, 2, 3e-15, -0.8), .scale = moving};
   const auto rows = compare_swimmer(run, std::vector{reference}, {every, 0.05, 0});
   EXPECT_EQ(rows.size(), 3U);
   EXPECT_TRUE(verdict(rows));
@@ -132,8 +133,8 @@ TEST(ComparedVectors, KeepTheSignOfAVelocityAlongTheAxis) {
 }
 
 TEST(ComparedVectors, DifferByTheSenseOfARotation) {
-  EXPECT_DOUBLE_EQ(compare_vectors(ComparedQuantity::angular_velocity, {0, 0, -1e-4}, {0, 0, 1e-4}).relative_error,
-                   -2);
+  EXPECT_DOUBLE_EQ(
+      compare_vectors(ComparedQuantity::angular_velocity, {0, 0, -1e-4}, {0, 0, 1e-4}).relative_error, -2);
 }
 
 TEST(Verdict, PassesAtTheToleranceAndFailsBeyondIt) {

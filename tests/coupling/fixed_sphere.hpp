@@ -40,7 +40,11 @@ class FixedSphere {
     fluid.halo.fill(fluid.populations);
     BeadBoundary boundary{coverage, links, beads, fluid.rates, sums};
     saturated_forces.clear();
-    SaturatedBoundary saturated{cells,           beads, saturated_sums, saturated_forces, fluid.body_force,
+    SaturatedBoundary saturated{cells,
+                                beads,
+                                saturated_sums,
+                                saturated_forces,
+                                fluid.body_force,
                                 lattice_viscosity(1 / fluid.rates.symmetric)};
     for (int z = 0; z < fluid.populations.size()[2]; ++z) {
       for (int y = 0; y < fluid.populations.size()[1]; ++y) {

@@ -253,7 +253,8 @@ TEST(TrajectoryReader, WrapsPositionsBelowTheBoxLengthInSinglePrecisionToo) {
   const std::string name = "particles/beads/position/value";
   std::array<float, 18> wrapped{};
   {
-    const H5Handle file(H5Fopen(folder.file("run.h5md").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, name);
+    const H5Handle file(H5Fopen(folder.file("run.h5md").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+                        name);
     const H5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name);
     ASSERT_GE(H5Dread(dataset, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, wrapped.data()), 0);
   }

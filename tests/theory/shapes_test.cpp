@@ -58,6 +58,13 @@ TEST(SecondOrderMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
   }
 }
 
+PeriodicMotion motion_of_line(const CollinearSwimmer& line) {
+  const MobilityFunction mobility = [&](const LinePositions& x) {
+    return pairwise_mobility(rotne_prager, line.radius, x, line.viscosity);
+  };
+  return periodic_motion(line, rest_positions(line), mobility);
+}
+
 // A velocity of 1e-7 of the speed of the beads, whose error is that of a motion that is nearly periodic.
 TEST(PeriodicMotionOfShapes, StatesAnUpperBoundOfItsError) {
   CollinearSwimmer line = paper_swimmer(2000);
@@ -66,10 +73,7 @@ TEST(PeriodicMotionOfShapes, StatesAnUpperBoundOfItsError) {
   line.stiffness = {0.01, 0.01};
   line.amplitude = {0.5, 0.7};
   line.phase = 0.7;
-  const MobilityFunction mobility = [&](const LinePositions& x) {
-    return pairwise_mobility(rotne_prager, line.radius, x, line.viscosity);
-  };
-  const double expected = periodic_motion(line, rest_positions(line), mobility).velocity;
+  const double expected = motion_of_line(line).velocity;
   const Eigen::Matrix3d orientation = some_orientation();
   const PeriodicShapeMotion motion = periodic_motion(shaped(line, orientation), rotne_prager_tensor);
   EXPECT_LT((motion.velocity - expected * orientation.col(0)).norm(), motion.numerical_error);
@@ -84,10 +88,7 @@ TEST(PeriodicMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
   line.damping = {0, 2};
   line.amplitude = {0.3, 0.2};
   line.phase = 1.1;
-  const MobilityFunction mobility = [&](const LinePositions& x) {
-    return pairwise_mobility(rotne_prager, line.radius, x, line.viscosity);
-  };
-  const PeriodicMotion expected = periodic_motion(line, rest_positions(line), mobility);
+  const PeriodicMotion expected = motion_of_line(line);
   const PeriodicShapeMotion motion = periodic_motion(shaped(line, orientation), rotne_prager_tensor);
   EXPECT_LT((motion.velocity - expected.velocity * orientation.col(0)).norm(), 1e-7 * expected.velocity);
   EXPECT_LT(motion.numerical_error, 1e-6 * expected.velocity);

@@ -195,9 +195,10 @@ VerdictDocument compare(const ComparisonInputs& inputs, const ComparisonRequest&
     compare_swimmer_in_all_runs(id, request, inputs, result);
   }
   if (result.rows.empty())
-    throw InputError(inputs.runs.front().source,
-                     "no compared quantity is defined, because the phases are those of arms that do not move; "
-                     "select another one with --quantity");
+    throw InputError(
+        inputs.runs.front().source,
+        "no compared quantity is defined, because the phases are those of arms that do not move; "
+        "select another one with --quantity");
   return result;
 }
 

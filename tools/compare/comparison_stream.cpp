@@ -138,8 +138,10 @@ std::optional<ComparisonFiles::Member> ComparisonFiles::next() {
     if (file.stream && !member) continue;
     Member next{.number = ++number_, .inputs = {}, .reason = {}, .study = {}};
     try {
-      if (member) next.reason = add_run(*member, next);
-      else next.inputs.runs.push_back({file.path, run_of_trajectory(file.path)});
+      if (member)
+        next.reason = add_run(*member, next);
+      else
+        next.inputs.runs.push_back({file.path, run_of_trajectory(file.path)});
       for (File& reference : references_)
         if (next.reason.empty()) next.reason = add_reference(reference, next.study, next.inputs);
     } catch (const InputError& error) {

@@ -54,8 +54,7 @@ std::string uncertainty_text(const ComparisonRow& row) {
 
 constexpr auto legend =
     "error: run minus reference, relative to the reference, ± the uncertainty of both; verdicts in "
-    "parentheses "
-    "do not count\n";
+    "parentheses do not count\n";
 
 using Rows = std::vector<const ComparisonRow*>;
 

@@ -141,7 +141,9 @@ std::vector<SourceDocument> read_documents(const std::vector<std::string>& files
 /// Adds the swimmers of a run that have the chosen cycles. Throws InputError if there are none.
 void append(RunRecord run, const std::string& source, const CycleChoice& cycle, PlotInputs& inputs) {
   if (run.status == RunStatus::failed) throw InputError(source, "the run has failed; run again");
-  const auto lacks_cycles = [&](const SwimmerRecord& each) { return find_cycles(each.cycles, cycle).empty(); };
+  const auto lacks_cycles = [&](const SwimmerRecord& each) {
+    return find_cycles(each.cycles, cycle).empty();
+  };
   if (std::ranges::all_of(run.swimmers, lacks_cycles))
     select_cycles(run.swimmers.empty() ? std::vector<CycleStatistics>() : run.swimmers.front().cycles, cycle,
                   source);

@@ -207,8 +207,9 @@ Note run_note(const PlotInputs& inputs, std::optional<Abscissa> abscissa) {
                              abscissa ? "" : named("δ/λ", run_range(inputs, 3, depth)), reynolds_text});
   if (const std::string lattice = lattice_text(inputs); !lattice.empty()) text += "; " + lattice;
   if (const std::string box = shared_setting(inputs, 5); !box.empty()) text += "; " + box;
-  return {.text = text,
-          .summary = reynolds_text.empty() ? "" : fmt::format("{} runs: {}", inputs.runs.size(), reynolds_text)};
+  return {
+      .text = text,
+      .summary = reynolds_text.empty() ? "" : fmt::format("{} runs: {}", inputs.runs.size(), reynolds_text)};
 }
 
 std::vector<Note> prediction_notes(const PlotInputs& inputs, Abscissa abscissa) {

@@ -82,7 +82,7 @@ ErrorReference reference_of(const PlottedRun& run, const CycleChoice& cycle) {
     reference.swimmers.push_back(swimming_of(record, swimmer, cycle, run.source));
     for (const auto& [quantity, uncertainties] : uncertainties_of(swimmer, cycle)) {
       const std::vector<double>& values = reference.swimmers.back().at(quantity);
-      const std::size_t count = quantity == ComparedQuantity::arm_amplitudes ? values.size() : 1;
+      const std::size_t count = compared_count(quantity, values);
       for (std::size_t i = 0; i < count; ++i) {
         const double relative = uncertainties[std::min(i, uncertainties.size() - 1)];
         changes[quantity] += std::pow(relative * values[i], 2);

@@ -134,7 +134,8 @@ PointGroup points_by_cycle(const PlotInputs& inputs, const PlottedRun& run, cons
       const bool is_last = &cycle == &swimmer.cycles.back();
       points.x.push_back(cycle.index);
       points.y.push_back(number.in(swimming));
-      points.errors.push_back(is_last ? number.error_in(swimming, stated_errors_of(run.record, swimmer, {})) : 0);
+      points.errors.push_back(is_last ? number.error_in(swimming, stated_errors_of(run.record, swimmer, {}))
+                                      : 0);
     }
   }
   return points;

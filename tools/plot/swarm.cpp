@@ -230,14 +230,13 @@ SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlag
   const Triple& repeat = options.repeat;
   require_repeatable(scene, repeat);
   const Cell cell = cell_of(scene);
-  SwarmPicture picture{
-      .title = "Swarm " + scene.time_text,
-      .box = scene.box.cwiseProduct(Vec3(repeat[0], repeat[1], repeat[2])),
-      .swimmers = copies_of(cell, options),
-      .keys = keys(scene.layout, options.colours),
-      .marks = marks(cell, options.marks),
-      .length_unit = length_unit(scene.layout.units),
-      .origin = scene.origin};
+  SwarmPicture picture{.title = "Swarm " + scene.time_text,
+                       .box = scene.box.cwiseProduct(Vec3(repeat[0], repeat[1], repeat[2])),
+                       .swimmers = copies_of(cell, options),
+                       .keys = keys(scene.layout, options.colours),
+                       .marks = marks(cell, options.marks),
+                       .length_unit = length_unit(scene.layout.units),
+                       .origin = scene.origin};
   picture.notes = {{.text = scene_text(scene, repeat)},
                    colours_note(options.colours, picture.swimmers),
                    types_note(scene.layout)};

@@ -60,7 +60,8 @@ SwarmScene scene_of(Layout layout, const std::string& source) {
     const SwimmerType& type = swarm.type_of(swimmer);
     scene.in_layout.push_back(scene.in_layout.size());
     PicturedSwimmer pictured{.id = swimmer.id, .beads = {}, .bonds = bonds_of(type)};
-    for (const Bead& bead : type.beads) pictured.beads.push_back({.centre = *centre++, .radius = bead.radius});
+    for (const Bead& bead : type.beads)
+      pictured.beads.push_back({.centre = *centre++, .radius = bead.radius});
     scene.swimmers.push_back(std::move(pictured));
   }
   return scene;

@@ -200,8 +200,8 @@ Figure trajectory_figure(const std::vector<std::string>& paths, const Trajectory
   for (const TrajectoryFile& file : files) swimmers += selected_swimmers(file, options).size();
   const bool by_time = options.against == Against::time;
   const bool is_long = by_time && std::ranges::any_of(files, [](const TrajectoryFile& file) {
-    return file.reader.times().back() > max_dashed * file.period();
-  });
+                         return file.reader.times().back() > max_dashed * file.period();
+                       });
   require_few(swimmers * static_cast<std::size_t>(beads_per_swimmer(options)),
               is_long ? max_solid : max_curves);
   const std::string across = fmt::format("angle of the axis to the plane across {}", "xyz"[options.axis]);

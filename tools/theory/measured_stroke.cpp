@@ -43,12 +43,14 @@ RunRecord run_with_stroke(const std::string& path) {
     if (documents.is_single() || std::ranges::any_of(run.swimmers, has_cycle)) runs.push_back(std::move(run));
   }
   if (runs.size() != 1)
-    throw InputError("--stroke-from " + path, fmt::format("{} of {} documents are runs with a complete cycle; "
-                                                          "give the record of one such run",
-                                                          runs.size(), count));
+    throw InputError("--stroke-from " + path,
+                     fmt::format("{} of {} documents are runs with a complete cycle; "
+                                 "give the record of one such run",
+                                 runs.size(), count));
   if (count > 1)
-    print_to_stderr(fmt::format("beadswim-theory: {} of {} documents of {} have no result, and are left out\n",
-                                count - 1, count, path));
+    print_to_stderr(
+        fmt::format("beadswim-theory: {} of {} documents of {} have no result, and are left out\n", count - 1,
+                    count, path));
   return std::move(runs.front());
 }
 

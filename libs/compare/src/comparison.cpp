@@ -101,8 +101,8 @@ double zero_within(const MotionScale& scale, const Reference& reference, Compare
   if (quantity != ComparedQuantity::sin_phase_shift) return scale.of(quantity, speed);
   double amplitude = std::numeric_limits<double>::infinity();
   for (const std::size_t arm : {0UL, 1UL})
-    amplitude = std::min(amplitude, value_of(reference.swimming, ComparedQuantity::arm_amplitudes, arm)
-                                        .value_or(amplitude));
+    amplitude = std::min(
+        amplitude, value_of(reference.swimming, ComparedQuantity::arm_amplitudes, arm).value_or(amplitude));
   return std::max(accuracy, scale.of(ComparedQuantity::arm_amplitudes, speed) / amplitude);
 }
 
@@ -141,8 +141,7 @@ std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<cons
   for (const ComparedQuantity quantity : criterion.quantities) {
     const auto numbers = run.swimming.find(quantity);
     if (numbers == run.swimming.end()) continue;
-    const bool has_arms = quantity == ComparedQuantity::arm_amplitudes;
-    for (std::size_t i = 0; i < (has_arms ? numbers->second.size() : 1); ++i) compare(quantity, i);
+    for (std::size_t i = 0; i < compared_count(quantity, numbers->second); ++i) compare(quantity, i);
   }
   return rows;
 }

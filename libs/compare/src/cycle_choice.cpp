@@ -39,8 +39,7 @@ std::span<const CycleStatistics> find_cycles(std::span<const CycleStatistics> cy
                                              const CycleChoice& choice) {
   const auto number = static_cast<std::size_t>(choice.number);
   if (choice.kind == CycleChoice::Kind::last)
-    return number <= cycles.size() && are_all(cycles.last(number)) ? cycles.last(number)
-                                                                   : cycles.first(0);
+    return number <= cycles.size() && are_all(cycles.last(number)) ? cycles.last(number) : cycles.first(0);
   const auto found = std::ranges::find(cycles, choice.number, &CycleStatistics::index);
   return cycles.subspan(found - cycles.begin(), found == cycles.end() ? 0 : 1);
 }

@@ -25,7 +25,7 @@ std::map<ComparedQuantity, std::vector<double>> errors_of(const CostedRun& run,
       const auto found = run.swimmers[s].find(quantity);
       if (found == run.swimmers[s].end()) continue;
       std::vector<SquareSums>& own = sums[quantity];
-      const std::size_t count = quantity == ComparedQuantity::arm_amplitudes ? values.size() : 1;
+      const std::size_t count = compared_count(quantity, values);
       own.resize(std::max(own.size(), count));
       for (std::size_t i = 0; i < count; ++i) {
         own[i].change += std::pow(found->second[i] - values[i], 2);

@@ -16,6 +16,10 @@ Vec3 relative_velocity(const CycleStatistics& cycle, const std::optional<Box>& b
 
 }  // namespace
 
+std::size_t compared_count(ComparedQuantity quantity, const std::vector<double>& values) {
+  return quantity == ComparedQuantity::arm_amplitudes ? values.size() : 1;
+}
+
 std::vector<double> with_vector(double number, const Vec3& vector) {
   return {number, vector[0], vector[1], vector[2]};
 }
@@ -36,8 +40,8 @@ double velocity_relative_to_fluid(const CycleStatistics& cycle, const std::optio
 }
 
 ComparedValues evaluate_compared_values(const CycleStatistics& cycle, const std::optional<Box>& box) {
-  ComparedValues values{{ComparedQuantity::velocity, with_vector(velocity_relative_to_fluid(cycle, box),
-                                                                 relative_velocity(cycle, box))},
+  ComparedValues values{{ComparedQuantity::velocity,
+                         with_vector(velocity_relative_to_fluid(cycle, box), relative_velocity(cycle, box))},
                         {ComparedQuantity::arm_amplitudes, cycle.arm_amplitudes}};
   if (cycle.arm_phases.size() >= 2)
     values[ComparedQuantity::sin_phase_shift] = {std::sin(cycle.arm_phases[0] - cycle.arm_phases[1])};

@@ -103,13 +103,13 @@ void add_panel(QuantityErrors errors, const std::string& cost, const std::vector
   panel.series.push_back(std::move(line));
   if (errors.uncertainty) panel.series.push_back(uncertainty_line(points, uncertainty));
   figure.panels.push_back(std::move(panel));
-  figure.notes.push_back({.text = fmt::format("{}{}{}: {}{}.", errors.scene.empty() ? "" : errors.scene + ": ",
-                                              front.back().error <= uncertainty
-                                                  ? "Cheapest within the uncertainty of the reference, "
-                                                  : "Most accurate ",
-                                              errors.quantity, front.back().name,
-                                              removed > 0 ? fmt::format("; not drawn for lack of an error: {}", removed)
-                                                          : "")});
+  figure.notes.push_back(
+      {.text = fmt::format("{}{}{}: {}{}.", errors.scene.empty() ? "" : errors.scene + ": ",
+                           front.back().error <= uncertainty
+                               ? "Cheapest within the uncertainty of the reference, "
+                               : "Most accurate ",
+                           errors.quantity, front.back().name,
+                           removed > 0 ? fmt::format("; not drawn for lack of an error: {}", removed) : "")});
 }
 
 }  // namespace

@@ -156,16 +156,16 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
 LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const SceneFacts& facts,
                                    double roundoff) {
   const UnitScales& scales = on_lattice.lattice.scales;
-  const ResolvedRun run{.cells_per_radius = on_lattice.resolution.cells_per_radius,
-                        .scheme = on_lattice.scene.bead_boundary,
-                        .smallest_gap = on_lattice.smallest_gap,
-                        .cell = scales.length / facts.units.length,
-                        .mach = mach_of(on_lattice, facts),
-                        .plane_factor = largest_plane_factor(on_lattice.scene),
-                        .timing = {.step = scales.time / facts.units.time,
-                                   .sound_speed =
-                                       scales.velocity() / facts.units.velocity() / std::numbers::sqrt3,
-                                   .corrects_delay = on_lattice.corrects_delay}};
+  const ResolvedRun run{
+      .cells_per_radius = on_lattice.resolution.cells_per_radius,
+      .scheme = on_lattice.scene.bead_boundary,
+      .smallest_gap = on_lattice.smallest_gap,
+      .cell = scales.length / facts.units.length,
+      .mach = mach_of(on_lattice, facts),
+      .plane_factor = largest_plane_factor(on_lattice.scene),
+      .timing = {.step = scales.time / facts.units.time,
+                 .sound_speed = scales.velocity() / facts.units.velocity() / std::numbers::sqrt3,
+                 .corrects_delay = on_lattice.corrects_delay}};
   const auto by_resolution = [&](const SwimmerFacts& swimmer_facts) {
     if (!swimmer_facts.lag)
       throw InputError(

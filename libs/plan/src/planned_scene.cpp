@@ -44,8 +44,8 @@ bool exceeds_box(const Representative& swimmer, const Layout& cell) {
   return (length * placed->orientation().col(0).cwiseAbs().array() >= cell.domain.box->lengths.array()).any();
 }
 
-/// Returns the facts of all representatives of the cell. A box can leave too little room for a stand-in, which
-/// may be longer than the swimmer itself; its facts are then those in open space.
+/// Returns the facts of all representatives of the cell. A box can leave too little room for a stand-in,
+/// which may be longer than the swimmer itself; its facts are then those in open space.
 std::vector<SwimmerFacts> evaluate_swimmers(const Layout& cell) {
   std::vector<SwimmerFacts> all;
   for (Representative& representative : representatives(cell))
@@ -143,7 +143,8 @@ std::string film_obstacle(const SwimmerFacts& swimmer_facts) {
                      *std::ranges::min_element(swimmer_facts.representative.question.swimmer.radius);
   if (gap >= thin) return {};
   return fmt::format(
-      "the smallest gap between beads in the stroke is {:.3g} bead radii, where lubrication matters; mobility "
+      "the smallest gap between beads in the stroke is {:.3g} bead radii, where lubrication matters; "
+      "mobility "
       "models lack lubrication or approximate it poorly",
       gap);
 }

@@ -20,8 +20,7 @@ void visit_driving(auto& driving, const UnitScales& units, auto&& visit) {
     visit_amplitudes(drive.harmonics, units.force());
   }
   for (auto& drive : driving.bonds)
-    visit_amplitudes(drive.harmonics,
-                     drive.quantity == BondQuantity::tension ? units.force() : units.length);
+    visit_amplitudes(drive.harmonics, drive.quantity == BondQuantity::tension ? units.force() : units.length);
 }
 
 void visit_type(auto& type, const UnitScales& units, auto&& visit) {

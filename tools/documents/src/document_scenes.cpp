@@ -45,7 +45,8 @@ SceneProperties stated_properties(const PredictionDocument& document, int /*id*/
       properties[SceneProperty::period] = numbers_value({*period});
     if (const auto phase = number_setting(prediction, "phase"))
       properties[SceneProperty::phase] = numbers_value({*phase});
-    const auto amplitude = number_setting(prediction, "amplitude"), ratio = number_setting(prediction, "amplitude_ratio");
+    const auto amplitude = number_setting(prediction, "amplitude"),
+               ratio = number_setting(prediction, "amplitude_ratio");
     if (amplitude && ratio.value_or(1) != 0)  // a ratio of 0 does not state B
       properties[SceneProperty::amplitude] = numbers_value({*amplitude, ratio ? *amplitude / *ratio : 0});
   }

@@ -16,7 +16,7 @@ std::vector<ResultValue> with_errors(const ComparedValues& values, const Compare
   if (found == values.end()) return all;
   const auto stated = uncertainties.find(quantity);
   const std::vector<double>& numbers = found->second;
-  const std::size_t count = quantity == ComparedQuantity::arm_amplitudes ? numbers.size() : 1;
+  const std::size_t count = compared_count(quantity, numbers);
   for (std::size_t i = 0; i < count; ++i) {
     const bool has_error = stated != uncertainties.end() && i < stated->second.size();
     all.push_back({.part = count > 1 ? fmt::format("d{}", i + 1) : "",
@@ -52,7 +52,8 @@ std::vector<ResultValue> results_of(const Prediction& prediction, StudyResult re
 std::vector<ResultValue> results_of(const RunRecord& run, const SwimmerRecord& swimmer, StudyResult result,
                                     const CycleChoice& cycle, const std::string& source) {
   if (const auto quantity = compared(result))
-    return with_errors(swimming_of(run, swimmer, cycle, source), stated_errors_of(run, swimmer, cycle), *quantity);
+    return with_errors(swimming_of(run, swimmer, cycle, source), stated_errors_of(run, swimmer, cycle),
+                       *quantity);
   double sum = 0;
   const std::span<const CycleStatistics> cycles = select_cycles(swimmer.cycles, cycle, source);
   for (const CycleStatistics& each : cycles) {

@@ -119,8 +119,7 @@ MotionScale motion_scale_of(const RunRecord& run, const SwimmerRecord& swimmer, 
     double radius = 0;
     for (const auto& [name, type] : run.scene->types) raise(radius, largest_radius(std::span(&type, 1)));
     raise(scale.length, radius);
-    raise(scale.speed,
-          run.dimensionless.reynolds_bead * run.scene->fluid.kinematic_viscosity / (2 * radius));
+    raise(scale.speed, run.dimensionless.reynolds_bead * run.scene->fluid.kinematic_viscosity / (2 * radius));
   }
   if (run.mobility && run.mobility->cut_off) scale.numerical_error = run.mobility->tolerance * scale.speed;
   return scale;

@@ -22,8 +22,9 @@ CLI::Validator relaxation_time() {
 
 void add_model(CLI::App& program, RunOptions& options) {
   begin_group(program, "Model");
-  add_choice(program, "--model", options.settings.model,
-             "lbm (lattice), mobilities rpy, rpy+near, multipole, oseen, unsteady, or auto (the cheapest run)")
+  add_choice(
+      program, "--model", options.settings.model,
+      "lbm (lattice), mobilities rpy, rpy+near, multipole, oseen, unsteady, or auto (the cheapest run)")
       ->default_str("lbm; auto with --plan or --tolerance");
   program.add_flag(
       "--plan", options.plan,

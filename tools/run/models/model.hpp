@@ -74,8 +74,8 @@ class Model {
   /// Local.
   virtual SwimmerIdentity own_swimmer(int number) const = 0;
   /// Returns the bead positions of a swimmer that this rank owns at the present time plus `ahead` time steps
-  /// [ModelPlan::units]. `number`: index from 0 to own_swimmers() - 1. `ahead`: a fraction, positive or negative.
-  /// The error is proportional to ahead^3. Local.
+  /// [ModelPlan::units]. `number`: index from 0 to own_swimmers() - 1. `ahead`: a fraction, positive or
+  /// negative. The error is proportional to ahead^3. Local.
   virtual std::vector<Vec3> bead_positions(int number, double ahead) const = 0;
   /// Returns the beads of all swimmers, in the order of their ids, on rank 0, and an empty list on other
   /// ranks. Positions and velocities are those at the present time plus `ahead` time steps, as above.
@@ -128,7 +128,7 @@ struct ModelPlan {
   }
 
   RunOptions options;  ///< options of the command line, completed by the plan
-  UnitScales units;                        ///< of the model, in the units of the layout
+  UnitScales units;    ///< of the model, in the units of the layout
   double base_period = 0;                  ///< duration of one cycle of the run [time]
   double time_step = 0;                    ///< [time]
   long steps_per_cycle = 0;                ///< time steps per base cycle

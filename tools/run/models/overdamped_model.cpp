@@ -156,7 +156,8 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
           fault.bead, place, fault.value);
     case OverdampedFaultKind::not_positive:
       return fmt::format(
-          "the mobility is not positive definite any more: forces would move beads backwards, most of all bead "
+          "the mobility is not positive definite any more: forces would move beads backwards, most of all "
+          "bead "
           "{} {}, because beads are too close to each other or to a wall; use --model rpy",
           fault.bead, place);
     case OverdampedFaultKind::not_converged:
@@ -186,9 +187,9 @@ std::optional<ModelFault> OverdampedModel::fault() const {
 void OverdampedModel::describe(RunRecord& record) const {
   const OverdampedState& state = system_.state();
   record.model = to_text(plan_.scene.model);
-  record.dimensionless = dimensionless_numbers(plan_.scene.types, state.largest_speed,
-                                               plan_.kinematic_viscosity,
-                                               plan_.base_period / plan_.units.time);
+  record.dimensionless =
+      dimensionless_numbers(plan_.scene.types, state.largest_speed, plan_.kinematic_viscosity,
+                            plan_.base_period / plan_.units.time);
   const std::optional<EwaldPlan>& sums = system_.mobility().plan();
   const bool is_multipole = has_moment_order(plan_.scene.model);
   const double length = plan_.units.length;

@@ -142,9 +142,10 @@ EwaldPlan plan_ewald(const EwaldScene& asked) {
   best.has_mirror_points = has_mirror_points(scene, best);
   constexpr double max_points = 1e9;
   if (const double points = mesh_points(scene, best, scene.lengths); points > max_points)
-    throw InputError("box", fmt::format("the mesh needs {:.3g} points, above the limit of {:g}; use a smaller "
-                                        "box, or one with less different edges, or open space ({})",
-                                        points, max_points, Setting::unbounded));
+    throw InputError("box",
+                     fmt::format("the mesh needs {:.3g} points, above the limit of {:g}; use a smaller "
+                                 "box, or one with less different edges, or open space ({})",
+                                 points, max_points, Setting::unbounded));
   return best;
 }
 

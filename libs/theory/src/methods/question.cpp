@@ -65,8 +65,7 @@ std::vector<std::string> warnings(const Question& question, double tolerance) {
                     "{:.4g} and {:.4g}, but the gaps between the beads at rest are {:.4g} and {:.4g}; lower "
                     "{} or raise {}, {} or {}",
                     motion.stroke.amplitude[0] * unit, motion.stroke.amplitude[1] * unit, gaps[0] * unit,
-                    gaps[1] * unit,
-                    Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm));
+                    gaps[1] * unit, Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm));
   }
   const double change =
       question.exact ? question.exact->amplitude_change : finite_amplitude_change(swimmer, pair_mobility);

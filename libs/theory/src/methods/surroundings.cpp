@@ -55,11 +55,12 @@ Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer) {
   constexpr double max_aspect = 1e4;  // the number of terms of Ewald sums grows with the aspect ratio
   const Vec3& lengths = layout.domain.box->lengths;
   if (lengths.maxCoeff() > max_aspect * lengths.minCoeff())
-    return {.box = {},
-            .obstacle = fmt::format("the longest box edge is {:.3g} times the shortest, but theory sums images "
-                                    "up to {:g} times; make the box shorter, or neglect it in a layout without "
-                                    "box ({})",
-                                    lengths.maxCoeff() / lengths.minCoeff(), max_aspect, Setting::unbounded)};
+    return {
+        .box = {},
+        .obstacle = fmt::format("the longest box edge is {:.3g} times the shortest, but theory sums images "
+                                "up to {:g} times; make the box shorter, or neglect it in a layout without "
+                                "box ({})",
+                                lengths.maxCoeff() / lengths.minCoeff(), max_aspect, Setting::unbounded)};
   const std::optional<int> axis = coordinate_axis(swimmer.axis);
   if (!axis)
     return {.box = {},

@@ -82,9 +82,9 @@ struct ComparisonRow {
 /// `difference` if only the reference is zero.
 double relative_error(double difference, double reference);
 
-/// Returns the size up to which a value of a reference is a numerical error: by roundoff of bead positions, by
-/// the accuracy of bead velocities (1e-10 of MotionScale::speed), or as the reference states. The error of a
-/// phase is that of the smaller of two arm amplitudes, divided by this amplitude.
+/// Returns the size up to which a value of a reference is a numerical error: by roundoff of bead positions,
+/// by the accuracy of bead velocities (1e-10 of MotionScale::speed), or as the reference states. The error of
+/// a phase is that of the smaller of two arm amplitudes, divided by this amplitude.
 double zero_within(const MotionScale& scale, const Reference& reference, ComparedQuantity quantity);
 
 /// Returns the root mean square of `values`. There must be at least one value.
@@ -101,8 +101,8 @@ std::optional<std::size_t> best_reference(std::span<const Reference> references,
 /// shortest rotation of its axis onto that of the reference: the numbers of the row are the components
 /// along the vector of the reference, and the error is that of the whole vector. If the reference is zero
 /// within its numerical error, errors are relative to RunSwimmer::scale. A phase shift of arms without
-/// amplitude has no row. The verdict depends on the rows with decides == true: the rows of the reference with the index
-/// Criterion::deciding, if this reference is usable.
+/// amplitude has no row. The verdict depends on the rows with decides == true: the rows of the reference with
+/// the index Criterion::deciding, if this reference is usable.
 std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<const Reference> references,
                                            const Criterion& criterion);
 

@@ -35,6 +35,9 @@ inline constexpr std::array default_quantities{ComparedQuantity::velocity, Compa
 ///   angular_velocity { |Omega|, x, y, z }  size and components [radian/time]
 using ComparedValues = std::map<ComparedQuantity, std::vector<double>>;
 
+/// Returns how many of the numbers of a quantity are compared one by one: all amplitudes, otherwise one.
+std::size_t compared_count(ComparedQuantity quantity, const std::vector<double>& values);
+
 /// Returns a number with the vector that it is a component or the size of.
 std::vector<double> with_vector(double number, const Vec3& vector);
 /// Returns the vector of with_vector(); nullopt for other values.

@@ -8,7 +8,7 @@ namespace beadswim {
 
 /// Discretisation of a scene.
 struct LatticeChoice {
-  UnitScales scales;  ///< cell, step and density of the fluid
+  UnitScales scales;           ///< cell, step and density of the fluid
   double relaxation_time = 1;  ///< tau, adapted to the time step [step]
   long steps_per_period = 0;
 };

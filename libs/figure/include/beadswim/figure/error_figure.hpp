@@ -35,8 +35,8 @@ struct QuantityErrors {
 /// front: the points for which no other point is both cheaper and more accurate. The uncertainty of the
 /// reference is a horizontal line; errors below it are not ranked. Below the panels are the given `notes`,
 /// and one note per panel that names the most accurate point. `cost` is the label of the
-/// cost axis. Points whose cost or error is not positive and finite are left out and counted in a note. Throws
-/// InputError if a panel has no other points.
+/// cost axis. Points whose cost or error is not positive and finite are left out and counted in a note.
+/// Throws InputError if a panel has no other points.
 Figure error_figure(const std::vector<QuantityErrors>& quantities, const std::string& cost,
                     std::vector<Note> notes);
 

@@ -28,8 +28,8 @@ struct Swarm {
   const SwimmerType& type_of(const PlacedSwimmer& swimmer) const { return types[swimmer.type]; }
 };
 
-/// Return the layout's swimmers in its order, or sorted by id. A swimmer with its own driving has its own type
-/// in the result.
+/// Return the layout's swimmers in its order, or sorted by id. A swimmer with its own driving has its own
+/// type in the result.
 Swarm listed_swimmers(const Layout& layout);
 Swarm placed_swimmers(const Layout& layout);
 

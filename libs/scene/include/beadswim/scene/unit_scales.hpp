@@ -31,9 +31,9 @@ struct UnitScales {
 SwimmerType in_units(SwimmerType type, const UnitScales& units);
 Layout in_units(Layout layout, const UnitScales& units);
 
-/// Returns units in which the smallest radius, the base period and the dynamic viscosity are between 1/2 and 2.
-/// They are powers of 4, so that the conversion and square roots are exact: results have the same bits in all
-/// units of a layout that differ by powers of 4.
+/// Returns units in which the smallest radius, the base period and the dynamic viscosity are between 1/2
+/// and 2. They are powers of 4, so that the conversion and square roots are exact: results have the same bits
+/// in all units of a layout that differ by powers of 4.
 UnitScales natural_units(const Layout& layout);
 
 /// Returns why quantities of a layout are outside the range of valid results; empty if none is.
