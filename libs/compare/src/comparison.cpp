@@ -77,9 +77,9 @@ ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, 
   row.relative_error = relative_error(difference, row.reference);
   row.run_uncertainty = value_of(run.uncertainties, quantity, i);
   row.reference_uncertainty = value_of(reference.uncertainties, quantity, i);
-  const double zero = zero_within(run.scale, reference, quantity);
+  const double zero = zero_threshold(run.scale, reference, quantity);
   if (std::abs(row.reference) <= zero)
-    make_relative_to(run.scale.of(quantity, run.scale.speed), std::abs(difference) <= zero ? 0 : difference,
+    make_relative_to(run.scale.size_of(quantity, run.scale.speed), std::abs(difference) <= zero ? 0 : difference,
                      row);
   row.tolerance = tolerance;
   row.pass = std::abs(row.relative_error) <= tolerance;  // false for NaN
@@ -94,16 +94,16 @@ double relative_error(double difference, double reference) {
   return difference / std::abs(reference);
 }
 
-double zero_within(const MotionScale& scale, const Reference& reference, ComparedQuantity quantity) {
+double zero_threshold(const MotionScale& scale, const Reference& reference, ComparedQuantity quantity) {
   constexpr double roundoff = 1e-12, accuracy = 1e-10;  // relative to length and to speed
   const double speed =
       std::max({accuracy * scale.speed, roundoff * scale.length / scale.period, reference.numerical_error});
-  if (quantity != ComparedQuantity::sin_phase_shift) return scale.of(quantity, speed);
+  if (quantity != ComparedQuantity::sin_phase_shift) return scale.size_of(quantity, speed);
   double amplitude = std::numeric_limits<double>::infinity();
   for (const std::size_t arm : {0UL, 1UL})
     amplitude = std::min(
         amplitude, value_of(reference.swimming, ComparedQuantity::arm_amplitudes, arm).value_or(amplitude));
-  return std::max(accuracy, scale.of(ComparedQuantity::arm_amplitudes, speed) / amplitude);
+  return std::max(accuracy, scale.size_of(ComparedQuantity::arm_amplitudes, speed) / amplitude);
 }
 
 double root_mean_square(std::span<const double> values) {
@@ -133,7 +133,7 @@ std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<cons
     for (std::size_t r = 0; r < references.size(); ++r) {
       if (!value_of(references[r].swimming, quantity, i)) continue;
       const bool is_phase = quantity == ComparedQuantity::sin_phase_shift;
-      if (is_phase && zero_within(run.scale, references[r], quantity) >= 1) continue;
+      if (is_phase && zero_threshold(run.scale, references[r], quantity) >= 1) continue;
       rows.push_back(compare_number(run, references[r], quantity, i, criterion.tolerance));
       rows.back().decides = references[r].usable && r == criterion.deciding;
     }

@@ -29,7 +29,7 @@ std::optional<Vec3> vector_of(ComparedQuantity quantity, const std::vector<doubl
   return Vec3(values[1], values[2], values[3]);
 }
 
-double MotionScale::of(ComparedQuantity quantity, double bead_speed) const {
+double MotionScale::size_of(ComparedQuantity quantity, double bead_speed) const {
   if (quantity == ComparedQuantity::arm_amplitudes) return bead_speed * period / (2 * std::numbers::pi);
   if (quantity == ComparedQuantity::angular_velocity) return length > 0 ? bead_speed / length : 0;
   return quantity == ComparedQuantity::velocity ? bead_speed : 1;

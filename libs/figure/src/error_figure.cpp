@@ -25,7 +25,7 @@ bool is_plottable(const ErrorPoint& point) {
 
 /// Removes the points that logarithmic axes cannot show, and returns their number. Throws InputError if no
 /// point remains.
-std::size_t remove_others(QuantityErrors& errors, const std::string& cost) {
+std::size_t remove_unplottable(QuantityErrors& errors, const std::string& cost) {
   std::vector<ErrorPoint> removed;
   std::size_t kept = 0;
   for (ErrorSeries& series : errors.series) {
@@ -77,7 +77,7 @@ void append(const std::vector<ErrorPoint>& points, Series& series) {
 /// of all series, in the order of their styles.
 void add_panel(QuantityErrors errors, const std::string& cost, const std::vector<std::string>& labels,
                Figure& figure) {
-  const std::size_t removed = remove_others(errors, cost);
+  const std::size_t removed = remove_unplottable(errors, cost);
   Panel panel{.x_label = {cost, "s"},
               .y_label = {"error of the " + errors.quantity, "%"},
               .x_scale = ScaleKind::logarithmic,

@@ -24,11 +24,11 @@ namespace {
 /// Cells per radius and relaxation times that a plan tries if the user sets none.
 constexpr std::array usual_cells{2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
 constexpr std::array usual_times{0.6, 0.8, 1.0, 1.5, 2.0};
-constexpr double within =
+constexpr double max_misfit =
     0.13;  // largest relative change of usual numbers of cells that fits them to the box
 
 /// Returns numbers of cells per radius for which each edge of the box is an integer number of cells. They
-/// differ from `usual_cells` by at most `within`. Multiples of 1/4 are preferred. Returns an empty list in
+/// differ from `usual_cells` by at most `max_misfit`. Multiples of 1/4 are preferred. Returns an empty list in
 /// open space.
 std::vector<double> commensurate_resolutions(const Layout& layout) {
   if (!layout.domain.box) return {};
@@ -48,8 +48,8 @@ std::vector<double> commensurate_resolutions(const Layout& layout) {
       return std::abs(cells / usual - 1) + (is_quarter ? 0 : odd);
     };
     double nearest = 0;
-    const long first = std::lround(std::ceil(usual * (1 - within) * edges[0] - 1e-9));
-    for (long n = first; static_cast<double>(n) <= usual * (1 + within) * edges[0]; ++n) {
+    const long first = std::lround(std::ceil(usual * (1 - max_misfit) * edges[0] - 1e-9));
+    for (long n = first; static_cast<double>(n) <= usual * (1 + max_misfit) * edges[0]; ++n) {
       const double cells = static_cast<double>(n) / edges[0];
       if (is_commensurate(cells) && penalty(cells) < penalty(nearest)) nearest = cells;
     }
@@ -194,7 +194,7 @@ std::string left_out_resolutions(const Layout& layout) {
   std::vector<double> left_out;
   std::ranges::copy_if(usual_cells, std::back_inserter(left_out), [&](double usual) {
     return std::ranges::none_of(cells,
-                                [usual](double near) { return std::abs(near / usual - 1) < within + 1e-6; });
+                                [usual](double near) { return std::abs(near / usual - 1) < max_misfit + 1e-6; });
   });
   if (!layout.domain.box || left_out.empty()) return {};
   return fmt::format(

@@ -107,10 +107,10 @@ void require_validated(const SceneFacts& facts) {
                   facts.unvalidated));
 }
 
-SceneFacts scene_facts(const Layout& asked, double cycles) {
+SceneFacts scene_facts(const Layout& in_layout_units, double cycles) {
   SceneFacts facts;
-  facts.units = natural_units(asked);
-  const Layout layout = in_units(asked, facts.units);
+  facts.units = natural_units(in_layout_units);
+  const Layout layout = in_units(in_layout_units, facts.units);
   for (const auto& [name, type] : layout.types)
     if (!three_bead_form(type)) facts.unvalidated = name;
   if (layout.domain.box) {

@@ -52,7 +52,7 @@ BeadVectors balancing_displacement(const SwimmerType& springs, const BeadVectors
   return Eigen::Map<const Eigen::Matrix3Xd>(displacement.data(), 3, beads.cols());
 }
 
-double farthest(const BeadVectors& displacement) {
+double largest_displacement(const BeadVectors& displacement) {
   return displacement.colwise().norm().maxCoeff();
 }
 
@@ -83,7 +83,7 @@ RelaxedShape relaxed_shape(const SwimmerType& type) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const Bond& bond : springs.bonds)
     shortest = std::min({shortest, length_of(bond, at), bond.rest_length});
-  const double size = farthest(at.colwise() - Vec3(at.rowwise().mean()));
+  const double size = largest_displacement(at.colwise() - Vec3(at.rowwise().mean()));
   // Displacements, divided by the size: at the end, and from where on roundoff may increase the energy.
   constexpr double converged = 1e-13, small = 1e-7;
   // Springs that do not fit together need more steps, with the stiffness of tensions.
@@ -94,12 +94,12 @@ RelaxedShape relaxed_shape(const SwimmerType& type) {
   for (int step = 0; step < max_steps && !shape.is_converged; ++step) {
     BeadVectors change =
         step_from(springs, shape.beads, step < fitting_steps ? LoadedBonds::none : LoadedBonds::stretched);
-    change *= std::min(1.0, longest * shortest / farthest(change));
-    while (farthest(change) > small * size && !(energy_of(springs, shape.beads + change) < energy))
+    change *= std::min(1.0, longest * shortest / largest_displacement(change));
+    while (largest_displacement(change) > small * size && !(energy_of(springs, shape.beads + change) < energy))
       change /= 2;
     shape.beads += change;
     energy = energy_of(springs, shape.beads);
-    shape.is_converged = farthest(change) <= converged * size;
+    shape.is_converged = largest_displacement(change) <= converged * size;
   }
   shape.beads = placed_as_at_rest(type, at, shape.beads);
   return shape;
@@ -110,7 +110,7 @@ SwimmerType at_start(SwimmerType type) {
   const BeadVectors beads = relaxed_shape(type).beads;
   const BeadVectors at = columns_of_beads(rest_positions(type, Vec3::Zero(), Eigen::Matrix3d::Identity()));
   constexpr double roundoff = 1e-9;
-  if (farthest(beads - at) <= roundoff * farthest(at.colwise() - Vec3(at.rowwise().mean()))) return type;
+  if (largest_displacement(beads - at) <= roundoff * largest_displacement(at.colwise() - Vec3(at.rowwise().mean()))) return type;
   for (std::size_t b = 0; b < type.beads.size(); ++b) type.beads[b].at = beads.col(b);
   return type;
 }

@@ -33,8 +33,9 @@ struct Reference {
   ComparedValues swimming;
   ComparedValues uncertainties =
       {};  ///< relative uncertainties of `swimming`; quantities without one are absent
-  double numerical_error = 0;     ///< of velocities, as far as the source states it [length/time]
-  std::optional<Vec3> axis = {};  ///< as RunSwimmer::axis; nullopt: vectors are compared in axes of the box
+  double numerical_error = 0;  ///< error of velocities; 0 if the source states none [length/time]
+  /// Direction of the swimmer in the box; nullopt: vectors are compared in axes of the box
+  std::optional<Vec3> axis = {};
 };
 
 /// Quantities, tolerance and reference that determine the verdict.
@@ -85,7 +86,7 @@ double relative_error(double difference, double reference);
 /// Returns the size up to which a value of a reference is a numerical error: by roundoff of bead positions,
 /// by the accuracy of bead velocities (1e-10 of MotionScale::speed), or as the reference states. The error of
 /// a phase is that of the smaller of two arm amplitudes, divided by this amplitude.
-double zero_within(const MotionScale& scale, const Reference& reference, ComparedQuantity quantity);
+double zero_threshold(const MotionScale& scale, const Reference& reference, ComparedQuantity quantity);
 
 /// Returns the root mean square of `values`. There must be at least one value.
 double root_mean_square(std::span<const double> values);

@@ -48,11 +48,11 @@ struct MotionScale {
   double period = 1;           ///< [time]
   double length = 0;           ///< longest mean arm, or radius of the largest bead [length]
   double speed = 0;            ///< largest speed of a bead [length/time]
-  double numerical_error = 0;  ///< of velocities, as far as it is stated [length/time]
+  double numerical_error = 0;  ///< error of velocities; 0 if none is stated [length/time]
 
   /// Returns the scale of a quantity for beads of this speed: their displacement in one radian of the drives
   /// for arm amplitudes, bead_speed/length for angular velocities, 1 for sines.
-  double of(ComparedQuantity quantity, double bead_speed) const;
+  double size_of(ComparedQuantity quantity, double bead_speed) const;
 };
 
 /// Returns the swimmer's velocity relative to the fluid, projected onto the swimmer's axis [length/time]. The
