@@ -4,10 +4,19 @@
 #include <optional>
 #include <span>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/half_space.hpp"
 #include "beadswim/mobility/mobility_product.hpp"
 
 namespace beadswim {
+
+/// Returns true if spheres are so close to each other or to the wall that Oseen's mobility may have an
+/// eigenvalue that is not positive: with centres nearer than twice the sum of the radii, or a height below
+/// two radii. (Equal spheres in dense lattices need 3.1 radii between centres, one sphere a height of 9/8
+/// radii.)
+bool has_close_spheres(std::span<const Vec3> positions, std::span<const double> radii,
+                       const std::optional<Box>& box, const std::optional<HalfSpace>& half_space);
 
 /// Returns the bead that moves most against some forces if the mobility, in units of that of each bead alone,
 /// has an eigenvalue that is not positive. Then these forces gain work from the fluid. `root_mobility`:

@@ -294,6 +294,7 @@ std::optional<OverdampedFault> OverdampedSystem::mobility_fault() {
   checked_steps_ = state_.steps_done;
   checked_gap_ = state_.smallest_gap / *std::ranges::min_element(radii_);
   checked_height_ = state_.smallest_relative_height;
+  if (!has_close_spheres(positions(), radii_, scene_.box, scene_.half_space)) return std::nullopt;
   Eigen::VectorXd root_mobility(lowest_mode_.size());
   for (std::size_t b = 0; b < radii_.size(); ++b)
     root_mobility.segment<3>(3 * b).setConstant(std::sqrt(self_mobility(radii_[b], scene_.viscosity)));
