@@ -31,8 +31,7 @@ LatticeSpeed any_speed(int ranks) {
 
 PlanRequest lattice_request(const Communicator& communicator) {
   PlanRequest request;
-  request.model = RunModel::lbm;
-  request.require_choices_apply = [](const RunSettings&) {};
+  request.settings.model = RunModel::lbm;
   request.lattice_speed = [&communicator] { return any_speed(communicator.size()); };
   return request;
 }
@@ -60,7 +59,8 @@ TEST(LatticeSpeed, FollowsTheMachine) {
 TEST(RunPlan, WeighsOnlyWhatIsOpen) {
   const Communicator communicator(MPI_COMM_WORLD);
   PlanRequest request = lattice_request(communicator);
-  request.precision = Precision::fp32;
+  request.settings.lattice.precision = Precision::fp32;
+  request.chosen = {Setting::precision, Setting::refinement};
   request.settings.lattice.cells_per_radius = 4;
   const RunPlan plan = plan_of(request, communicator);
   EXPECT_GT(plan.runs.size(), 1u);
@@ -100,7 +100,8 @@ TEST(RunPlan, HasNoChoiceWhereNoRunIsWithinTheTolerance) {
 TEST(RunPlan, CountsTheStepsThatARestartHasLeft) {
   const Communicator communicator(MPI_COMM_WORLD);
   PlanRequest request = lattice_request(communicator);
-  request.precision = Precision::fp32;
+  request.settings.lattice.precision = Precision::fp32;
+  request.chosen = {Setting::precision, Setting::refinement};
   request.settings.lattice.cells_per_radius = 4;
   request.settings.lattice.relaxation_time = 1;
   request.settings.lattice.refinement = 0;
@@ -125,10 +126,10 @@ TEST(RunPlan, AsksForTheSpeedOnlyIfALatticeCanRun) {
   };
   plan_of(request, communicator);
   EXPECT_EQ(asked, 1);
-  request.require_choices_apply = [](const RunSettings&) { throw InputError("is of other models"); };
+  request.chosen = {Setting::sum_tolerance};
   const RunPlan plan = plan_of(request, communicator);
   EXPECT_EQ(asked, 1);
-  for (const PlannedRun& run : plan.runs) EXPECT_EQ(run.refused, "is of other models");
+  for (const PlannedRun& run : plan.runs) EXPECT_THAT(run.refused, testing::HasSubstr("mobility models only"));
 }
 
 }  // namespace

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <span>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
-#include "beadswim/plan/run_settings.hpp"
+#include "beadswim/plan/expected_errors.hpp"
+#include "beadswim/run/reason_against.hpp"
+#include "beadswim/run/run.hpp"
 #include "beadswim/theory/methods.hpp"
-#include "one_run.hpp"
+#include "beadswim/tools/stop_signal.hpp"
 #include "predict_layout.hpp"
-#include "run_setup.hpp"
 
 namespace beadswim {
 namespace {
@@ -74,39 +74,15 @@ class TheoryEvaluator : public Evaluator {
   TheoryRequest request_;
 };
 
-/// A folder for temporary files, removed with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string path = std::filesystem::temp_directory_path() / "beadswim-XXXXXX";
-    if (mkdtemp(path.data()) == nullptr)
-      throw InputError(path, "the folder for temporary files cannot be created; set TMPDIR to another one");
-    path_ = path;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 class ModelEvaluator : public Evaluator {
  public:
   ModelEvaluator(const std::string& model, const EvaluatorSettings& settings) : swimmer_(settings.swimmer) {
-    options_.settings.model = from_text<RunModel>(model);
-    if (settings.cycles) options_.settings.cycles = *settings.cycles;
-    options_.output = folder_.path() / "run.h5md";
-    options_.progress = ProgressStyle::none;
+    settings_.model = from_text<RunModel>(model);
+    if (settings.cycles) settings_.cycles = *settings.cycles;
   }
 
   Outcomes evaluate(const LayoutDocument& document, const std::string& source) const override {
-    const RunRecord record = run(document, source);
+    const RunRecord record = record_of(document, source);
     Outcomes sum;
     const std::vector<const SwimmerRecord*> swimmers = chosen(record, source);
     for (const SwimmerRecord* swimmer : swimmers) add(record, *swimmer, document.layout, source, sum);
@@ -119,26 +95,26 @@ class ModelEvaluator : public Evaluator {
   }
 
   void require_treatable(const LayoutDocument& document, const std::string& source) const override {
-    plan_for(document, request_for(source), communicator_);
+    plan_for(task(document, source), communicator_);
   }
 
  private:
-  Request request_for(const std::string& source) const {
-    Request request;
-    request.options = options_;
-    request.name = source;
-    return request;
+  RunTask task(const LayoutDocument& document, const std::string& source) const {
+    return {.document = document, .settings = settings_, .source = source};
   }
 
-  RunRecord run(const LayoutDocument& document, const std::string& source) const {
-    Request request = request_for(source);
-    RunRecord record;
-    const RunOutcome outcome = run_layout(
-        document, request, MPI_Wtime(), [&](const RunRecord& made) { record = made; }, communicator_,
-        failures_);
-    if (outcome.status == RunStatus::stopped_signal) throw StoppedEarly(outcome.reason);
-    if (outcome.status != RunStatus::finished) throw SolverError(outcome.reason);
-    return record;
+  RunRecord record_of(const LayoutDocument& document, const std::string& source) const {
+    RunTask wanted = task(document, source);
+    const std::unique_ptr<ModelPlan> plan = plan_for(wanted, communicator_);
+    reason_against([&] { plan->expected = expected_errors(document.layout, *plan); });
+    const RunSinks sinks{.stop = []() -> std::optional<StopRequest> {
+      if (stop_signal() == 0) return std::nullopt;
+      return StopRequest{.reason = fmt::format("the run was stopped by signal {}", stop_signal())};
+    }};
+    RunResult result = run(wanted, *plan, sinks, communicator_);
+    if (result.record.status == RunStatus::stopped_signal) throw StoppedEarly(result.record.reason);
+    if (result.record.status != RunStatus::finished) throw SolverError(result.record.reason);
+    return std::move(result.record);
   }
 
   std::vector<const SwimmerRecord*> chosen(const RunRecord& record, const std::string& source) const {
@@ -171,9 +147,8 @@ class ModelEvaluator : public Evaluator {
     smallest = is_first ? gap : std::min(smallest, gap);
   }
 
-  TemporaryFolder folder_;
-  Communicator communicator_{MPI_COMM_SELF}, failures_{MPI_COMM_SELF};
-  RunOptions options_;
+  Communicator communicator_{MPI_COMM_SELF};
+  RunSettings settings_;
   std::optional<int> swimmer_;
 };
 

@@ -64,7 +64,7 @@ std::unique_ptr<Evaluator> theory_evaluator(const std::string& name, const std::
                                             const std::vector<std::string>& others,
                                             const EvaluatorSettings& settings);
 
-/// Returns the evaluator by the model of that name. Throws InputError if temporary files cannot be written.
+/// Returns the evaluator by the model of that name.
 std::unique_ptr<Evaluator> model_evaluator(const std::string& name, const EvaluatorSettings& settings);
 
 }  // namespace beadswim

@@ -8,9 +8,10 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/failure_document.hpp"
-#include "beadswim/plan/run_settings.hpp"
+#include "beadswim/run/run_settings.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/tools/named_flags.hpp"
+#include "beadswim/tools/stop_signal.hpp"
 #include "layout_filter.hpp"
 #include "optimisation.hpp"
 
@@ -159,6 +160,7 @@ void require_trace(const Flags& flags) {
 /// Initialises MPI, which models need. Throws InputError on more than one rank.
 std::unique_ptr<MpiSession> mpi_for_models(int argc, char** argv) {
   auto mpi = std::make_unique<MpiSession>(&argc, &argv);
+  catch_stop_signals();
   if (Communicator(MPI_COMM_WORLD).size() > 1)
     throw InputError("mpirun", "the program uses one rank; start it without mpirun");
   return mpi;

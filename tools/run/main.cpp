@@ -8,10 +8,10 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/rank_failure.hpp"
-#include "command_line/request.hpp"
+#include "beadswim/plan/plan_report.hpp"
+#include "beadswim/run/checkpoints.hpp"
 #include "one_run.hpp"
-#include "planning/plan_flags.hpp"
-#include "planning/plan_report.hpp"
+#include "request.hpp"
 #include "stream/stream_runs.hpp"
 
 namespace {
@@ -22,34 +22,40 @@ using namespace beadswim;
 /// run has an expected error within the tolerance. Collective.
 int report_plan(const LayoutDocument& document, const Request& request, const Communicator& communicator) {
   PlanRequest wanted = plan_request(request.options, communicator);
-  wanted.steps_done = request.steps_done;
+  if (request.checkpoint) wanted.steps_done = steps_done_in(*request.checkpoint);
   const RunPlan plan = plan_run(document.layout, wanted, request.source(), communicator);
   if (communicator.is_root()) {
-    print_to_stderr(plan_table(plan, request.options, communicator));
-    write_text("-", dump_json(plan_to_json(plan, request.options, communicator)));
+    const std::string& layout = request.options.layouts.front();
+    print_to_stderr(plan_table(plan, layout));
+    Json json = plan_to_json(plan, layout);
+    if (request.options.with_provenance) json["provenance"] = Json::array({request.options.provenance});
+    write_text("-", dump_json(json));
   }
-  choose_run(plan, request.options);
+  choose_run(plan);
   return static_cast<int>(ExitStatus::fine);
 }
 
 /// Executes the program and returns its exit status. Invalid input makes all ranks throw InputError before
 /// the run begins.
-int run(int argc, char** argv, const Communicator& communicator, const Communicator& failures) {
+int run_program(int argc, char** argv, const Communicator& communicator, const Communicator& failures) {
   const double start = MPI_Wtime();
   auto read = read_request(argc, argv, communicator);
   if (const int* status = std::get_if<int>(&read)) return *status;
   Request& request = std::get<Request>(read);
   LayoutStream layouts(request, communicator);
-  if (layouts.is_stream()) return run_stream(layouts, request, start, communicator, failures);
+  if (layouts.is_stream()) return run_stream(layouts, request.options, start, communicator, failures);
   const std::optional<StreamMember> layout = layouts.next();
   const LayoutDocument document = read_layout(request, layout ? std::optional(layout->text) : std::nullopt);
   if (request.options.plan) return report_plan(document, request, communicator);
-  const auto print = [&](const RunRecord& record) {
-    write_text("-", dump_json(run_record_to_json(record, request.options.record_provenance())));
-  };
-  const RunOutcome outcome = run_layout(document, request, start, print, communicator, failures);
-  if (outcome.status == RunStatus::failed) throw RunFailed(outcome.reason);
-  if (outcome.status != RunStatus::finished) throw StoppedEarly(outcome.reason);
+  RunTask task{.document = document,
+               .settings = request.options.settings,
+               .source = request.source(),
+               .trajectory = request.options.output,
+               .checkpoint = std::move(request.checkpoint)};
+  if (task.checkpoint) task.steps_done = steps_done_in(*task.checkpoint);
+  const RunRecord record = run_alone(std::move(task), request.options, start, communicator, failures);
+  if (record.status == RunStatus::failed) throw RunFailed(record.reason);
+  if (record.status != RunStatus::finished) throw StoppedEarly(record.reason);
   return static_cast<int>(ExitStatus::fine);
 }
 
@@ -86,7 +92,7 @@ int main(int argc, char** argv) {
   const Communicator communicator(MPI_COMM_WORLD), failures(MPI_COMM_WORLD);
   if (!communicator.is_root() && std::freopen("/dev/null", "w", stdout) == nullptr) return 3;
   try {
-    return run(argc, argv, communicator, failures);
+    return run_program(argc, argv, communicator, failures);
   } catch (...) {
     return report_failure(communicator, failures);
   }

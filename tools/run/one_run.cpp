@@ -2,143 +2,121 @@
 
 #include <fmt/core.h>
 
-#include <memory>
-
-#include "beadswim/core/error.hpp"
 #include "beadswim/core/rank_failure.hpp"
-#include "beadswim/io/xdmf.hpp"
-#include "beadswim/plan/percent.hpp"
-#include "beadswim/plan/run_length.hpp"
-#include "beadswim/tools/program.hpp"
-#include "checkpoints.hpp"
-#include "planning/plan_flags.hpp"
-#include "planning/plan_report.hpp"
-#include "record/record.hpp"
-#include "run_setup.hpp"
-#include "stop_signal.hpp"
+#include "beadswim/plan/expected_errors.hpp"
+#include "beadswim/plan/lattice_speed_cache.hpp"
+#include "beadswim/run/checkpoints.hpp"
+#include "beadswim/run/percent.hpp"
+#include "beadswim/tools/stop_signal.hpp"
 
 namespace beadswim {
 namespace {
 
 void warn(const std::vector<RunWarning>& warnings) {
-  for (const RunWarning& warning : warnings)
-    print_to_stderr(fmt::format("{}: warning: {}\n", program_name, warning.message));
+  for (const RunWarning& warning : warnings) print_message("warning: " + warning.message);
 }
 
-/// Prints a description of the run and, for a single layout, the warnings that are known before the run.
-void announce(const ModelPlan& plan, const Request& request) {
-  if (plan.options.progress != ProgressStyle::none) {
-    print_to_stderr(fmt::format("{}: {}\n", program_name, plan.announcement));
-    if (request.checkpoint) {
-      print_to_stderr(fmt::format("{}: continuing from the checkpoint {}, step {}\n", program_name,
-                                  request.checkpoint->path(), request.steps_done));
-    }
+/// Prints a description of the run, and the warnings that are known before the run.
+void announce(const ModelPlan& plan, const RunTask& task, const RunOptions& options) {
+  if (options.progress != ProgressStyle::none) {
+    print_message(plan.announcement);
+    if (task.checkpoint)
+      print_message(
+          fmt::format("continuing from the checkpoint {}, step {}", task.checkpoint->path(), task.steps_done));
   }
-  if (request.name.empty()) warn(plan.warnings);
+  warn(plan.warnings);
 }
 
 /// Prints how the run can be continued from its last checkpoint.
-void print_restart_flag(const Checkpoints& checkpoints, const Request& request) {
-  const std::string &last = checkpoints.last(), &output = request.options.output;
-  if (last.empty()) return;
-  if (!request.name.empty())
-    return print_to_stderr(
-        fmt::format("{}: the state is saved; repeat the command to continue\n", program_name));
-  print_to_stderr(fmt::format("{}: the state is saved; continue with --restart {}\n", program_name,
-                              trajectory_of(last) == output ? last : last + " -o " + output));
+void print_restart_flag(const std::string& checkpoint, const std::string& trajectory) {
+  if (checkpoint.empty()) return;
+  print_message(fmt::format(
+      "the state is saved; continue with --restart {}",
+      trajectory_of(checkpoint) == trajectory ? checkpoint : checkpoint + " -o " + trajectory));
 }
 
-/// Writes an index file with which ParaView opens the trajectory (XDMF). All results have been written
-/// before, so a failure is not fatal.
-void write_paraview_index(const std::string& path) {
-  if (!paraview_can_open(path)) return;  // a warning at the start says so
-  try {
-    write_xdmf(path);
-  } catch (const std::exception& error) {
-    print_to_stderr(
-        fmt::format("{}: warning: the index file for ParaView (.xdmf2) cannot be written: {}; the trajectory "
-                    "itself is complete\n",
-                    program_name, error.what()));
-  }
-}
-
-/// Runs the time loop and passes the run record to `take` on rank 0. If one rank throws an exception, this
-/// function aborts all ranks.
-RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutDocument& document,
-                          const TakeRecord& take, const Communicator& failures) {
-  try {
-    std::optional<RunHistory> history;
-    if (request.checkpoint)
-      history = restore(parts.model, parts.recorder, *request.checkpoint, parts.communicator);
-    request.checkpoint.reset();  // closes the file: a replaced open file would still use disk space
-    const RunOutcome outcome = run_to_end(parts, history);
-    const RunRecord record = make_record(parts, document, outcome);
-    parts.trajectory.finish();
-    if (parts.communicator.is_root()) {
-      take(record);
-      write_paraview_index(parts.plan.options.output);
-    }
-    return outcome;
-  } catch (...) {  // not rethrown: destructors would wait for the other ranks
-    if (!request.checkpoint) print_restart_flag(parts.checkpoints, request);  // otherwise it is not readable
-    abort_after_failure(program_name, failures);
-  }
-}
-
-/// Implements --model auto with --tolerance E: plans all possible runs and adopts the settings of the
-/// cheapest run whose expected error is at most E. Throws InputError if there is no such run. Collective.
-void apply_plan(const LayoutDocument& document, Request& request, const Communicator& communicator) {
+/// Gives the task the settings of the cheapest run within the tolerance. Returns the tolerance. Collective.
+double choose_settings(RunTask& task, const RunOptions& options, const Communicator& communicator) {
   const RunPlan plan =
-      plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
-  const PlannedRun& planned = choose_run(plan, request.options);
-  request.options.settings = planned.settings;
-  request.options.tolerance.reset();  // the tolerance of the plan; the run does not use it
-  request.options.accepted_error = plan.tolerance;
-  if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
-  print_to_stderr(fmt::format(
-      "{}: starting the cheapest run within --tolerance: {}, with an error of up to {}, typically {}, and a "
-      "cost of {:.3g} core-seconds\n",
-      program_name, flags_of(planned, request.options), in_percent(planned.error.limit.largest()),
-      in_percent(planned.error.typical.largest()), planned.core_seconds));
+      plan_run(task.document.layout, plan_request(options, communicator), task.source, communicator);
+  const PlannedRun& planned = choose_run(plan);
+  task.settings = planned.settings;
+  if (communicator.is_root() && options.progress != ProgressStyle::none)
+    print_message(fmt::format(
+        "starting the cheapest run within --tolerance: {}, with an error of up to {}, typically {}, and a cost of "
+        "{:.3g} core-seconds",
+        settings_text(planned.settings, options.chosen), in_percent(planned.error.limit.largest()),
+        in_percent(planned.error.typical.largest()), planned.core_seconds));
+  return plan.tolerance;
 }
 
 }  // namespace
 
-RunOutcome run_layout(const LayoutDocument& document, Request& request, double start, const TakeRecord& take,
-                      const Communicator& communicator, const Communicator& failures) {
-  if (request.options.settings.model == RunModel::automatic) apply_plan(document, request, communicator);
-  const std::unique_ptr<ModelPlan> planned = plan_for(document, request, communicator);
-  const ModelPlan& plan = *planned;
-  const RunOptions& options = plan.options;
-  const long done = request.steps_done, steps = plan.steps_in(options.settings.cycles);
-  require_end_after(options.settings.cycles, steps, done, plan.steps_per_cycle);
-  Progress progress(options.progress, done, steps, static_cast<double>(plan.steps_per_cycle),
-                    plan.updates_per_step, request.take_share);
-  if (communicator.is_root()) announce(plan, request);
+void print_message(const std::string& message) {
+  print_to_stderr(fmt::format("{}: {}\n", program_name, message));
+}
 
-  const std::unique_ptr<Model> model = plan.make(request.continues_same_trajectory() ? done : 0);
-  TrajectoryWriter trajectory(options.output, header_of(document, plan), communicator,
-                              request.checkpoint.get());
-  Recorder recorder(plan, document.layout, trajectory, communicator);
-  Checkpoints checkpoints(options, dump_json(layout_to_json(document)),
-                          request.checkpoint ? request.checkpoint->path() : "", communicator);
-  const RunParts parts{.start = start,
-                       .communicator = communicator,
-                       .plan = plan,
-                       .model = *model,
-                       .trajectory = trajectory,
-                       .recorder = recorder,
-                       .checkpoints = checkpoints,
-                       .progress = progress};
+PlanRequest plan_request(const RunOptions& options, const Communicator& communicator) {
+  return {.settings = options.settings,
+          .chosen = options.chosen,
+          .is_restart = !options.restart.empty(),
+          .tolerance = options.tolerance,
+          .has_advice = options.plan,
+          .lattice_speed = [&communicator] { return speed_of_this_machine(print_message, communicator); }};
+}
+
+std::optional<StopRequest> stop_request(const RunOptions& options, double start,
+                                        const Communicator& communicator) {
+  if (const int signal = stop_signal(); signal != 0)
+    return StopRequest{.status = RunStatus::stopped_signal,
+                       .reason = fmt::format("the run was stopped by signal {}", signal)};
+  if (!options.time_limit || !communicator.is_root() || MPI_Wtime() - start <= *options.time_limit)
+    return std::nullopt;
+  return StopRequest{
+      .status = RunStatus::stopped_time,
+      .reason = fmt::format(
+          "the time limit of {} s is reached; to complete the run, use a longer --time-limit or more ranks",
+          *options.time_limit)};
+}
+
+std::unique_ptr<ModelPlan> plan_of(RunTask& task, const RunOptions& options, const Communicator& communicator) {
+  constexpr double usual_accepted_error = 0.1;
+  const double accepted = task.settings.model == RunModel::automatic
+                              ? choose_settings(task, options, communicator)
+                              : usual_accepted_error;
+  require_settings_apply(options.chosen, task.settings.model);
+  std::unique_ptr<ModelPlan> plan = plan_for(task, communicator);
+  if (communicator.is_root()) add_expected_errors(*plan, task.document.layout, accepted);
+  return plan;
+}
+
+RunRecord run_alone(RunTask task, const RunOptions& options, double start, const Communicator& communicator,
+                    const Communicator& failures) {
+  const std::unique_ptr<ModelPlan> plan = plan_of(task, options, communicator);
+  const long steps = plan->steps_in(plan->settings.cycles);
+  Progress progress(options.progress, task.steps_done, steps, static_cast<double>(plan->steps_per_cycle),
+                    plan->updates_per_step);
+  if (communicator.is_root()) announce(*plan, task, options);
   catch_stop_signals();
-  const RunOutcome outcome = run_and_record(parts, request, document, take, failures);
-  const std::vector<RunWarning> warnings = warnings_after_run(parts);
-  if (communicator.is_root() && request.name.empty()) {
-    warn(warnings);
-    if (outcome.status == RunStatus::stopped_time || outcome.status == RunStatus::stopped_signal)
-      print_restart_flag(checkpoints, request);
+  const RunSinks sinks{.message = print_message,
+                       .progress = [&](long steps_done) { progress.update(steps_done); },
+                       .stop = [&] { return stop_request(options, start, communicator); },
+                       .failure =
+                           [&](const std::string& checkpoint) {
+                             print_restart_flag(checkpoint, task.trajectory);
+                             abort_after_failure(program_name, failures);
+                           }};
+  RunResult result = run(task, *plan, sinks, communicator);
+  if (communicator.is_root()) {
+    progress.finish(result.steps_done);
+    result.record.provenance->push_back(options.provenance);
+    write_text("-", dump_json(run_record_to_json(result.record, options.record_provenance())));
+    warn(result.late_warnings);
+    const RunStatus status = result.record.status;
+    if (status == RunStatus::stopped_time || status == RunStatus::stopped_signal)
+      print_restart_flag(result.last_checkpoint, task.trajectory);
   }
-  return outcome;
+  return result.record;
 }
 
 }  // namespace beadswim

@@ -1,15 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <string>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/documents/layout_document.hpp"
-#include "command_line/request.hpp"
-#include "run_loop.hpp"
+#include "beadswim/plan/run_plan.hpp"
+#include "beadswim/run/run.hpp"
+#include "options.hpp"
 
 namespace beadswim {
-
-constexpr const char* program_name = "beadswim-run";
 
 /// Exception for a run that ended with a fault (an unphysical state), thrown on all ranks. The results until
 /// the fault have been written.
@@ -18,15 +18,28 @@ class RunFailed : public SolverError {
   using SolverError::SolverError;
 };
 
-/// Takes the run record, on rank 0.
-using TakeRecord = std::function<void(const RunRecord&)>;
+/// Prints a message with the name of the program on standard error.
+void print_message(const std::string& message);
 
-/// Runs one layout: plans it if the model is auto, moves the swimmers, writes the trajectory, and passes the
-/// record to `take`. `start`: MPI_Wtime from which --time-limit counts [s]. Throws InputError on all ranks of
-/// the communicator, before the run begins, if the model cannot treat the layout. If a rank fails later, all
-/// ranks of the program are aborted. `failures`: communicator of all ranks of the program, for nothing else.
-/// Collective.
-RunOutcome run_layout(const LayoutDocument& document, Request& request, double start, const TakeRecord& take,
-                      const Communicator& communicator, const Communicator& failures);
+/// Returns the request for a plan in which every run has the settings that the command line fixes. The
+/// request refers to `communicator`, which must exist as long as the request.
+PlanRequest plan_request(const RunOptions& options, const Communicator& communicator);
+
+/// Returns the request to stop of the program: after a signal, or on rank 0 after the time limit. `start`:
+/// MPI_Wtime from which the time limit counts [s].
+std::optional<StopRequest> stop_request(const RunOptions& options, double start,
+                                        const Communicator& communicator);
+
+/// Returns the description of the run of a task, with its expected errors. If the model is auto, plans all
+/// possible runs before and gives the task the settings of the cheapest run whose expected error is at most
+/// that of --tolerance. Throws InputError on all ranks if the model cannot treat the layout. Collective.
+std::unique_ptr<ModelPlan> plan_of(RunTask& task, const RunOptions& options, const Communicator& communicator);
+
+/// Runs one layout: prints warnings, progress, and how to continue after an early stop. Returns the record
+/// with the provenance of this program. `start`: MPI_Wtime from which --time-limit counts [s]. Throws
+/// InputError on all ranks of the communicator, before the run begins. If a rank fails later, all ranks of the
+/// program are aborted. `failures`: communicator of all ranks of the program, for nothing else. Collective.
+RunRecord run_alone(RunTask task, const RunOptions& options, double start, const Communicator& communicator,
+                    const Communicator& failures);
 
 }  // namespace beadswim

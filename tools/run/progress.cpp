@@ -31,18 +31,16 @@ std::string duration_text(double seconds) {
 }  // namespace
 
 Progress::Progress(ProgressStyle style, long first, long steps, double steps_per_cycle,
-                   std::optional<double> updates_per_step, TakeShare take)
+                   std::optional<double> updates_per_step)
     : style_(resolve_style(style)),
       first_(static_cast<double>(first)),
       steps_(static_cast<double>(steps)),
       steps_per_cycle_(steps_per_cycle),
       updates_per_step_(updates_per_step),
-      take_(std::move(take)),
       start_(Clock::now()),
       last_(start_) {}
 
 void Progress::update(long steps_done) {
-  if (take_) take_(static_cast<double>(steps_done) / steps_);
   const double interval = style_ == ProgressStyle::bar ? 0.2 : 10;
   if (style_ == ProgressStyle::none || seconds(Clock::now() - last_) < interval) return;
   last_ = Clock::now();

@@ -166,10 +166,6 @@ ErrorEstimate scaled(double factor, ErrorEstimate error) {
   return error;
 }
 
-double ErrorEstimate::largest() const {
-  return std::max({velocity, arm_amplitudes[0], arm_amplitudes[1]});
-}
-
 BestPrediction best_prediction(const Question& question) {
   const Prediction best = predicted("inertia-corrected", question);
   BestPrediction known;

@@ -11,9 +11,9 @@
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/plan/lattice_speed.hpp"
-#include "beadswim/plan/reason_against.hpp"
-#include "beadswim/plan/run_length.hpp"
-#include "beadswim/plan/velocity_roundoff.hpp"
+#include "beadswim/run/reason_against.hpp"
+#include "beadswim/run/run_length.hpp"
+#include "beadswim/run/velocity_roundoff.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/theory/scene_numbers.hpp"
 #include "planned_scene.hpp"
@@ -130,7 +130,7 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
   run.settings = settings;
   std::string wrong;
   run.refused = reason_against([&] {
-    request.require_choices_apply(settings);
+    require_settings_apply(request.chosen, settings.model);
     const SceneOnLattice on_lattice = put_on_lattice(layout, settings.lattice, source);
     for (const Block& level : on_lattice.scene.all_levels())
       run.cells.push_back(level.size.cast<std::int64_t>().prod());
@@ -215,7 +215,7 @@ std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& fac
   std::vector<double> times(usual_times.begin(), usual_times.end());
   if (fixed.relaxation_time) times = {*fixed.relaxation_time};
   std::vector<Precision> precisions(all_values<Precision>.begin(), all_values<Precision>.end());
-  if (request.precision) precisions = {*request.precision};
+  if (request.is_fixed(Setting::precision)) precisions = {fixed.precision};
   std::optional<LatticeSpeed> speed;
   std::vector<PlannedRun> runs;
   for (const double cell : cells) {
@@ -226,6 +226,7 @@ std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& fac
         own.lattice.cells_per_radius = cell;
         own.lattice.relaxation_time = time;
         own.lattice.precision = precision;
+        if (!request.is_fixed(Setting::refinement)) own.lattice.refinement.reset();
         runs.push_back(lattice_run(layout, facts, request, own, source, speed, communicator));
       }
     }

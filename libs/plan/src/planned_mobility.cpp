@@ -10,11 +10,10 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/mobility/force_moments.hpp"
-#include "beadswim/mobility/wall_map.hpp"
+#include "beadswim/overdamped/near_wall_error.hpp"
 #include "beadswim/overdamped/overdamped_setup.hpp"
-#include "beadswim/plan/expected_errors.hpp"
-#include "beadswim/plan/reason_against.hpp"
-#include "beadswim/plan/run_length.hpp"
+#include "beadswim/run/reason_against.hpp"
+#include "beadswim/run/run_length.hpp"
 #include "planned_scene.hpp"
 
 namespace beadswim {
@@ -142,7 +141,7 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
   run.settings.model = run_model(model);
   run.settings.mobility.multipole_order = multipole_order;
   run.refused = reason_against([&] {
-    request.require_choices_apply(run.settings);
+    require_settings_apply(request.chosen, run.settings.model);
     const MobilitySettings& settings = run.settings.mobility;
     const OverdampedSetup setup =
         overdamped_setup(layout, model, settings, run.settings.frames_per_cycle, source);
@@ -175,36 +174,7 @@ double position_roundoff(const SceneFacts& facts) {
 
 namespace {
 
-/// Returns the relative error of the mobility of one sphere across the wall, by the exact solution.
-double error_across_wall(double height, MobilityModel model, int moment_order) {
-  constexpr double lowest = 1.0001;
-  const Vec3 place = std::max(height, lowest) * Vec3::UnitZ(), force = Vec3::UnitZ();
-  const MobilityScene scene{.model = model,
-                            .viscosity = 1 / (6 * std::numbers::pi),
-                            .box = {},
-                            .radii = {1},
-                            .moment_order = moment_order,
-                            .half_space = HalfSpace{}};
-  Vec3 velocity;
-  const Communicator self(MPI_COMM_SELF);
-  MobilityProduct(scene, {&place, 1}, self).apply({&place, 1}, {&force, 1}, {&velocity, 1});
-  return std::abs(velocity.z() * drag_towards_wall(place.z()) - 1);
-}
-
 }  // namespace
-
-// The error of one sphere, or that of several if it is larger: c H^-(4 + 2 n) for moments up to order n, with
-// c as found near the wall (docs/method/half-space.md); H^-3 for point forces. rpy+near is exact across the
-// wall; along it the error is 45/256 H^-4 far away.
-double error_near_wall(double height, MobilityModel model, const MobilitySettings& settings) {
-  if (!std::isfinite(height)) return 0;
-  const int order = has_moment_order(model) ? settings.multipole_order : 0;
-  const double across = error_across_wall(height, model, order);
-  if (!has_finite_radii(model)) return std::max(across, std::pow(height, -3));
-  if (model == MobilityModel::rpy_near) return 0.22 * std::pow(height, -4);
-  constexpr std::array coefficients{1.1, 0.7, 0.33};
-  return std::max(across, coefficients[order] * std::pow(height, -4 - 2 * order));
-}
 
 ErrorRange mobility_scene_error(const SceneFacts& facts, MobilityModel model,
                                 const MobilitySettings& settings) {
@@ -221,21 +191,24 @@ std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& fa
                                       const PlanRequest& request, const std::string& source,
                                       const Communicator& communicator) {
   std::vector<PlannedRun> runs;
-  const int usual_order = request.multipole_order.value_or(MobilitySettings{}.multipole_order);
+  const int usual_order = request.settings.mobility.multipole_order;
+  const auto may_have = [&](int order) {
+    return order == usual_order || !request.is_fixed(Setting::multipole_order);
+  };
   const auto add_run = [&](MobilityModel model, int order) {
-    if (!request.model || *request.model == run_model(model))
+    if (request.allows(run_model(model)))
       runs.push_back(mobility_run(layout, facts, request, model, order, source, communicator));
   };
   for (const MobilityModel model : {MobilityModel::oseen, MobilityModel::rpy, MobilityModel::rpy_near})
     add_run(model, usual_order);
-  if (request.model == RunModel::multipole) {
+  if (request.settings.model == RunModel::multipole) {
     add_run(MobilityModel::multipole, usual_order);
   } else if (layout.domain.half_space || !layout.flow.is_zero()) {  // the model unsteady lacks them
     for (int order = 1; order <= max_moment_order; ++order)
-      if (request.multipole_order.value_or(order) == order) add_run(MobilityModel::multipole, order);
+      if (may_have(order)) add_run(MobilityModel::multipole, order);
   }
   for (int order = 0; order <= max_moment_order; ++order)
-    if (request.multipole_order.value_or(order) == order) add_run(MobilityModel::unsteady, order);
+    if (may_have(order)) add_run(MobilityModel::unsteady, order);
   return runs;
 }
 

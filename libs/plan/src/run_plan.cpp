@@ -1,6 +1,7 @@
 #include "beadswim/plan/run_plan.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -10,8 +11,9 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
-#include "beadswim/plan/percent.hpp"
-#include "beadswim/plan/reason_against.hpp"
+#include "beadswim/plan/plan_report.hpp"
+#include "beadswim/run/percent.hpp"
+#include "beadswim/run/reason_against.hpp"
 #include "beadswim/plan/sufficient_box.hpp"
 #include "beadswim/scene/force_directions.hpp"
 #include "planned_scene.hpp"
@@ -82,12 +84,11 @@ void add_hard_cases_of(RunPlan& plan, const SwimmerFacts& swimmer_facts) {
   reason_against([&] {  // an error is ignored here; the candidate reports it as PlannedRun::refused
     const ErrorEstimate stokes =
         mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings{}).limit;
-    const auto& [first, second] = stokes.arm_amplitudes;
     if (stokes.largest() > plan.tolerance)
       add(
           fmt::format("inertia and other effects that mobility models neglect change the velocity by up to "
                       "{} and the arm amplitudes by up to {}",
-                      in_percent(stokes.velocity), in_percent(std::max(first, second))));
+                      in_percent(stokes.velocity), in_percent(stokes.largest_of_arms())));
   });
 }
 
@@ -152,10 +153,12 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
 RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::string& source,
                  const Communicator& communicator) {
   RunPlan plan;
+  plan.request = request;
   plan.tolerance = request.tolerance.value_or(default_tolerance);
+  plan.ranks = communicator.size();
   const SceneFacts facts = scene_facts(layout, request.settings.cycles);
   plan.runs = mobility_runs(layout, facts, request, source, communicator);
-  const bool has_lattices = !request.model || *request.model == RunModel::lbm;
+  const bool has_lattices = request.allows(RunModel::lbm);
   if (has_lattices)
     std::ranges::move(lattice_runs(layout, facts, request, source, communicator),
                       std::back_inserter(plan.runs));
@@ -167,8 +170,27 @@ RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::st
        {warning_of_fixed_forces(layout), has_usual_cells ? left_out_resolutions(layout) : ""})
     if (!text.empty()) plan.hard.push_back(text);
   add_hard_cases(plan, facts);
-  if (request.may_change_scene) add_proposals(plan, layout, facts);
+  if (!request.is_restart) add_proposals(plan, layout, facts);
   return plan;
+}
+
+const PlannedRun& choose_run(const RunPlan& plan) {
+  if (plan.choice) return plan.runs[*plan.choice];
+  if (!plan.best)
+    throw InputError(Setting::model, fmt::format("no model can run this scene with these settings. {}",
+                                                 fmt::join(refusals(plan), ". ")));
+  const PlannedRun& best = plan.runs[*plan.best];
+  if (plan.request.has_advice && !plan.request.tolerance) return best;
+  throw InputError(
+      Setting::tolerance,
+      fmt::format(
+          "no run has an error limit within {}; the run with the smallest limit, {}, has a limit of {}: "
+          "raise the tolerance to that value{}",
+          in_percent(plan.tolerance), settings_text(best.settings, plan.request.chosen),
+          in_percent(best.error.limit.largest()),
+          plan.request.is_restart ? ""
+                                  : ", leave out settings that exclude other runs, or change the scene as a plan "
+                                    "proposes"));
 }
 
 }  // namespace beadswim

@@ -13,7 +13,7 @@ LayoutStream::LayoutStream(const Request& request, const Communicator& communica
     : communicator_(communicator) {
   const RunOptions& options = request.options;
   std::string fault;
-  if (communicator.is_root() && !(request.checkpoint && !options.given.contains("LAYOUT"))) {
+  if (communicator.is_root() && !(request.checkpoint && !options.names_layouts)) {
     try {
       documents_.emplace(options.layouts);
       is_stream_ = !documents_->is_single() || options.output.find(number_mark) != std::string::npos;

@@ -7,7 +7,7 @@
 
 #include "beadswim/core/temporary_file.hpp"
 #include "beadswim/io/document_stream.hpp"
-#include "command_line/request.hpp"
+#include "request.hpp"
 
 // The layouts of the command line, on all ranks.
 

@@ -8,11 +8,10 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/study_text.hpp"
-#include "beadswim/plan/percent.hpp"
+#include "beadswim/plan/lattice_speed_cache.hpp"
+#include "beadswim/plan/plan_report.hpp"
+#include "beadswim/run/percent.hpp"
 #include "one_run.hpp"
-#include "planning/lattice_speed_cache.hpp"
-#include "planning/plan_flags.hpp"
-#include "planning/plan_report.hpp"
 
 namespace beadswim {
 namespace {
@@ -58,17 +57,18 @@ MemberPlan plan_member(const StreamMember& member, const RunOptions& options,
     PlanRequest request = plan_request(options, group);
     if (speed) request.lattice_speed = [&speed] { return *speed; };
     const RunPlan plan = plan_run(document.layout, request, member.source, group);
-    Json json = plan_to_json(plan, options, group);
+    Json json = plan_to_json(plan, "-");
+    if (options.with_provenance) json["provenance"] = Json::array({options.provenance});
     if (!document.study.is_null()) json["study"] = document.study;
     made.document = dump_json_line(json);
     if (plan.choice || (plan.best && !options.tolerance)) {
-      made.choice = choose_run(plan, options);
+      made.choice = choose_run(plan);
       made.row = fmt::format("{:>8}{}", member.number,
-                             plan_row(*made.choice, options, group, study_text(document.study, 4)));
+                             plan_row(plan, *made.choice, study_text(document.study, 4)));
     } else if (plan.best) {
       const PlannedRun& best = plan.runs[*plan.best];
       refuse(fmt::format("no run within {}; smallest error: {}, {}", in_percent(plan.tolerance),
-                         flags_of(best, options), in_percent(best.error.limit.largest())));
+                         settings_text(best.settings, options.chosen), in_percent(best.error.limit.largest())));
     } else {
       refuse("no model can run this layout; see \"refused\" in its plan");
     }
@@ -88,7 +88,7 @@ std::optional<LatticeSpeed> common_lattice_speed(const RunOptions& options, bool
   const RunModel model = options.settings.model;
   if (model != RunModel::automatic && model != RunModel::lbm) return std::nullopt;
   std::string text;
-  if (measures) text = lattice_speed_to_json(speed_of_this_machine(group)).dump();
+  if (measures) text = lattice_speed_to_json(speed_of_this_machine(print_message, group)).dump();
   broadcast(text, communicator);
   return lattice_speed_from_json(Json::parse(text));
 }
@@ -107,15 +107,13 @@ void plan_stream(const StoredLayouts& layouts, const RunOptions& options, const 
   const int groups = schedule.groups(communicator), own_group = schedule.own_group(communicator);
   const std::optional<LatticeSpeed> speed =
       common_lattice_speed(options, own_group == 0, *group, communicator);
-  RunOptions settings = options;
-  settings.layouts = {"-"};  // of the commands that a plan proposes: they take one layout
   const bool prints = communicator.is_root();
   if (prints) print_to_stderr(fmt::format("{:>8}\n{}", "layout", plan_head("        ")));
   StreamCosts costs;
   for (int first = 1; first <= layouts.size(); first += groups) {
     MemberPlan made;
     if (const int number = first + own_group; number <= layouts.size())
-      made = plan_member(layouts.member(number), settings, speed, *group);
+      made = plan_member(layouts.member(number), options, speed, *group);
     if (!group->is_root()) made = {};
     const std::string documents = gather_text(made.document, communicator);
     const std::string rows = gather_text(made.row, communicator);

@@ -6,7 +6,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <thread>
 
@@ -16,10 +15,10 @@
 #include "beadswim/core/version.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/tools/program.hpp"
+#include "beadswim/run/checkpoints.hpp"
+#include "beadswim/tools/stop_signal.hpp"
 #include "beadswim/tools/stream_jobs.hpp"
-#include "checkpoints.hpp"
 #include "one_run.hpp"
-#include "stop_signal.hpp"
 #include "stream/stream_plan.hpp"
 #include "stream/stream_schedule.hpp"
 
@@ -146,37 +145,61 @@ enum class MemberEnd {
   stopped    ///< by a signal or the time limit
 };
 
-/// Runs one layout, unless its record exists. `take_share`: takes the share of the run that is done, on rank
-/// 0 of the group. Collective for the group.
-MemberEnd run_member(const StreamMember& member, const RunOptions& options, double start,
-                     const TakeShare& take_share, const Communicator& group, const Communicator& failures) {
-  const LayoutDocument document = layout_of(member);
-  const MemberRun run = member_run(options, document, member.number);
-  int is_done = group.is_root() && !earlier_record(run).is_null();
+/// What a run of a stream asks and tells while it lasts.
+struct MemberSinks {
+  std::function<void(double)> share;                 ///< takes the share of the run that is done, on rank 0
+  std::function<std::optional<StopRequest>()> stop;  ///< RunSinks::stop
+  std::function<void()> failure;                     ///< RunSinks::failure
+};
+
+/// Runs the layout of a task and returns its record. Collective for the group.
+RunResult run_task(RunTask& task, const RunOptions& options, const MemberSinks& member,
+                   const Communicator& group) {
+  const std::unique_ptr<ModelPlan> plan = plan_of(task, options, group);
+  const auto steps = static_cast<double>(plan->steps_in(plan->settings.cycles));
+  const RunSinks sinks{.message = print_message,
+                       .progress = [&](long done) { member.share(static_cast<double>(done) / steps); },
+                       .stop = member.stop,
+                       .failure =
+                           [&](const std::string& checkpoint) {
+                             if (!checkpoint.empty())
+                               print_message("the state is saved; repeat the command to continue");
+                             member.failure();
+                           }};
+  return run(task, *plan, sinks, group);
+}
+
+/// Runs one layout, unless its record exists. Collective for the group.
+MemberEnd run_member(const StreamMember& member, const RunOptions& options, const MemberSinks& sinks,
+                     const Communicator& group) {
+  RunTask task{.document = layout_of(member), .settings = options.settings, .source = member.source};
+  const MemberRun wanted = member_run(options, task.document, member.number);
+  task.trajectory = wanted.options.output;
+  int is_done = group.is_root() && !earlier_record(wanted).is_null();
   MPI_Bcast(&is_done, 1, MPI_INT, 0, group.get());
   if (is_done) return MemberEnd::existing;
   // The record of other flags must not stay beside the trajectory that this run replaces.
-  if (group.is_root()) std::filesystem::remove(run.record_path);
-  Request request;
-  request.options = run.options;
-  request.name = member.source;
-  request.take_share = take_share;
-  request.checkpoint = open_interrupted_run(run.options, dump_json(layout_to_json(document)), group);
-  if (request.checkpoint) request.steps_done = steps_done_in(*request.checkpoint);
-  RunOutcome outcome;
+  if (group.is_root()) std::filesystem::remove(wanted.record_path);
+  task.checkpoint =
+      open_interrupted_run(task.trajectory, dump_json(layout_to_json(task.document)), task.settings, group);
+  if (task.checkpoint) task.steps_done = steps_done_in(*task.checkpoint);
+  RunStatus status = RunStatus::failed;
   Json record;
   try {
-    outcome = run_layout(
-        document, request, start,
-        [&](const RunRecord& made) { record = run_record_to_json(made, options.record_provenance()); }, group,
-        failures);
+    RunResult result = run_task(task, options, sinks, group);
+    status = result.record.status;
+    if (group.is_root()) {
+      result.record.provenance->push_back(options.provenance);
+      record = run_record_to_json(result.record, options.record_provenance());
+    }
   } catch (const InputError& error) {
-    record = failure_to_json(
-        {.program = program_name, .member = member.number, .reason = error.what(), .study = document.study});
+    record = failure_to_json({.program = program_name,
+                              .member = member.number,
+                              .reason = error.what(),
+                              .study = task.document.study});
   }
-  if (outcome.status == RunStatus::stopped_time || outcome.status == RunStatus::stopped_signal)
-    return MemberEnd::stopped;
-  if (group.is_root()) write_record(record, run);
+  if (status == RunStatus::stopped_time || status == RunStatus::stopped_signal) return MemberEnd::stopped;
+  if (group.is_root()) write_record(record, wanted);
   return MemberEnd::treated;
 }
 
@@ -259,18 +282,25 @@ class StreamRuns {
   /// Runs the layout with this number, and counts it. Collective for the group.
   void run_one(int number, const Communicator& group) {
     long reported = 0;
+    bool others_are_stopped = false;  // as rank 0 of the group knows
     double last = MPI_Wtime();
-    const TakeShare take_share = [&](double share) {
+    const auto take_share = [&](double share) {
       constexpr double interval = 1;  // [s]
       if (MPI_Wtime() - last < interval) return;
       last = MPI_Wtime();
       const long now = std::lround(share * whole);
       counters_.add(SharedCounters::treated, now - reported);
       reported = now;
-      if (is_stopped()) std::raise(SIGTERM);  // stops this run with a checkpoint
+      others_are_stopped = is_stopped();
       print_news();
     };
-    const MemberEnd end = run_member(layouts_.member(number), options_, start_, take_share, group, failures_);
+    const auto stop = [&]() -> std::optional<StopRequest> {
+      if (others_are_stopped) return StopRequest{.reason = "another run of the stream was stopped"};
+      return stop_request(options_, start_, group);
+    };
+    const MemberSinks sinks{
+        .share = take_share, .stop = stop, .failure = [&] { abort_after_failure(program_name, failures_); }};
+    const MemberEnd end = run_member(layouts_.member(number), options_, sinks, group);
     if (!group.is_root()) return;
     if (end == MemberEnd::stopped) {
       counters_.add(SharedCounters::stopped, 1);
@@ -319,9 +349,9 @@ class StreamRuns {
 };
 
 void check_flags(const StoredLayouts& layouts, const RunOptions& options) {
-  refuse_flags(options, {"--restart"}, "is for a single layout; leave it out");
+  if (!options.restart.empty()) throw InputError("--restart", "is for a single layout; leave it out");
   if (options.settings.model != RunModel::automatic)
-    refuse_flags_of_other_models(options, options.settings.model);
+    require_settings_apply(options.chosen, options.settings.model);
   if (options.plan) return;
   const std::size_t mark = options.output.find(number_mark);
   if (mark == std::string::npos || options.output.find(number_mark, mark + 1) != std::string::npos)
@@ -398,10 +428,9 @@ void report(const RecordPrinter& printer, int layouts, bool is_stopped, const Co
 
 }  // namespace
 
-int run_stream(LayoutStream& stream, const Request& request, double start, const Communicator& communicator,
+int run_stream(LayoutStream& stream, RunOptions options, double start, const Communicator& communicator,
                const Communicator& failures) {
   const StoredLayouts layouts(stream);
-  RunOptions options = request.options;
   check_flags(layouts, options);
   if (options.plan) {
     plan_stream(layouts, options, communicator);

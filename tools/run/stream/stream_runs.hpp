@@ -11,7 +11,7 @@ namespace beadswim {
 /// holds the record of the same run is not run again. `start`: MPI_Wtime from which --time-limit counts [s].
 /// Throws InputError on all ranks, before work begins, if the command line does not fit a stream. Returns the
 /// exit status. Collective.
-int run_stream(LayoutStream& stream, const Request& request, double start, const Communicator& communicator,
+int run_stream(LayoutStream& stream, RunOptions options, double start, const Communicator& communicator,
                const Communicator& failures);
 
 }  // namespace beadswim

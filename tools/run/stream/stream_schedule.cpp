@@ -9,8 +9,8 @@
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
-#include "beadswim/plan/reason_against.hpp"
-#include "beadswim/plan/run_length.hpp"
+#include "beadswim/run/reason_against.hpp"
+#include "beadswim/run/run_length.hpp"
 
 namespace beadswim {
 namespace {

@@ -41,13 +41,13 @@ class Communicator {
 /// ranks. Throws SolverError on rank 0 if the total exceeds 2 GiB. Collective.
 std::vector<char> gather_bytes(const std::vector<char>& own, const Communicator& communicator);
 
-/// Copies bytes (std::string or std::vector<char>, at most 2 GiB) from rank 0 to all ranks. Collective.
+/// Copies bytes (std::string or std::vector<char>, at most 2 GiB) from rank `root` to all ranks. Collective.
 template <class Bytes>
-void broadcast(Bytes& bytes, const Communicator& communicator) {
+void broadcast(Bytes& bytes, const Communicator& communicator, int root = 0) {
   std::int64_t size = std::ssize(bytes);
-  MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator.get());
+  MPI_Bcast(&size, 1, MPI_INT64_T, root, communicator.get());
   bytes.resize(size);
-  MPI_Bcast(bytes.data(), static_cast<int>(size), MPI_CHAR, 0, communicator.get());
+  MPI_Bcast(bytes.data(), static_cast<int>(size), MPI_CHAR, root, communicator.get());
 }
 
 /// Returns the number of ranks of the communicator that share memory with this rank, this rank included.

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "beadswim/core/fields.hpp"
+#include "beadswim/compare/expected_errors.hpp"
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/mobility/mobility_model.hpp"
 #include "beadswim/overdamped/overdamped_setup.hpp"
@@ -16,19 +16,6 @@
 // docs/method/expected-errors.md.
 
 namespace beadswim {
-
-/// Expected relative errors of a swimmer's velocity and arm amplitudes in a run.
-struct ErrorEstimate {
-  double velocity = 0;
-  std::array<double, 2> arm_amplitudes{};
-
-  double largest() const;  ///< maximum of all errors
-
-  static void visit_fields(auto&& visit, auto& error) {
-    visit("velocity", error.velocity, omitted_if_zero);  // zero if no swimmer swims
-    visit("arm_amplitudes", error.arm_amplitudes);
-  }
-};
 
 /// Expected relative error of a run: its usual size and its limit.
 struct ErrorRange {

@@ -3,13 +3,14 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/plan/lattice_speed.hpp"
 #include "beadswim/plan/model_errors.hpp"
-#include "beadswim/plan/run_settings.hpp"
+#include "beadswim/run/run_settings.hpp"
 #include "beadswim/scene/layout.hpp"
 
 // Comparison of possible runs of a layout (candidates): expected error, and cost on this machine, for each
@@ -20,25 +21,25 @@ namespace beadswim {
 
 /// Restrictions on the candidates of a plan.
 struct PlanRequest {
-  /// Settings that all candidates (possible runs) share, except the model, which the plan chooses. It also
-  /// varies cells per radius and relaxation time if they are not set. If the number of levels of cells is not
-  /// set, each candidate has the cheapest number.
+  /// Settings that all candidates (possible runs) share. The plan chooses the model if it is automatic, varies
+  /// cells per radius and relaxation time if they are not set, and all settings that it can vary unless
+  /// is_fixed().
   RunSettings settings;
-  std::optional<RunModel> model;       ///< nullopt: all models
-  std::optional<Precision> precision;  ///< nullopt: both precisions
-  /// Highest moment of the forces in the models multipole and unsteady; nullopt: the default for multipole,
-  /// every order for unsteady.
-  std::optional<int> multipole_order;
+  std::set<Setting> chosen;  ///< settings with the value that the user has chosen
+  bool is_restart = false;   ///< true: a run with the scene and the settings of a checkpoint goes on
   std::optional<double> tolerance;  ///< largest accepted relative error; nullopt: 0.03
   bool has_advice = false;          ///< true: RunPlan::hard and RunPlan::proposals are filled
-  bool may_change_scene = true;     ///< false: RunPlan::proposals stays empty
   long steps_done = 0;              ///< time steps that a restart does not repeat
-
-  /// Throws InputError if the user has set an option that has no effect in a run with these settings.
-  std::function<void(const RunSettings&)> require_choices_apply;
   /// Returns the cost of lattice steps on this machine. The plan calls this function at most once, for the
   /// first candidate with a lattice that can run. Collective.
   std::function<LatticeSpeed()> lattice_speed;
+
+  /// Returns true if all candidates have the value of this setting that `settings` has.
+  bool is_fixed(Setting setting) const { return is_restart || chosen.contains(setting); }
+  /// Returns true if the model may be used.
+  bool allows(RunModel model) const {
+    return settings.model == RunModel::automatic || settings.model == model;
+  }
 };
 
 /// A candidate: a possible run, its expected error and its cost.
@@ -62,7 +63,9 @@ struct Proposal {
 
 /// Result of plan_run(): all candidates (possible runs), the chosen candidate, and advice.
 struct RunPlan {
+  PlanRequest request;
   double tolerance = 0;  ///< largest accepted relative error of velocity and arm amplitudes
+  int ranks = 1;
   std::vector<PlannedRun> runs;
   std::optional<std::size_t> choice;  ///< index in `runs`: cheapest run within the tolerance; nullopt if none
   std::optional<std::size_t> best;    ///< index in `runs`: run of smallest error; nullopt if all are refused
@@ -76,5 +79,10 @@ struct RunPlan {
 /// ranks.
 RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::string& source,
                  const Communicator& communicator);
+
+/// Returns the cheapest planned run whose expected error is within the tolerance. If there is none, returns
+/// the run with the smallest expected error for a plan with advice and without tolerance; otherwise throws
+/// InputError with that run. Throws InputError with the reasons if all runs are refused.
+const PlannedRun& choose_run(const RunPlan& plan);
 
 }  // namespace beadswim

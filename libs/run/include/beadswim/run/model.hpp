@@ -1,0 +1,150 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "beadswim/compare/expected_errors.hpp"
+#include "beadswim/core/message.hpp"
+#include "beadswim/core/round_up.hpp"
+#include "beadswim/core/vec3.hpp"
+#include "beadswim/coupling/scene_on_lattice.hpp"
+#include "beadswim/documents/run_record_document.hpp"
+#include "beadswim/io/checkpoint_file.hpp"
+#include "beadswim/run/run_length.hpp"
+#include "beadswim/run/run_settings.hpp"
+#include "beadswim/scene/placed_swimmers.hpp"
+#include "beadswim/scene/unit_scales.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
+
+// Interface between the time loop of a run and the physical model, which moves fluid and beads. A ModelPlan
+// describes a run before it begins and makes its Model.
+//
+// Quantities have the units of the layout. Positions and motions of beads are an exception: they have the
+// units of the model [ModelPlan::units], so that checkpoints store them without conversion.
+//
+// All functions are collective, except those whose comment says "Local", which any rank may call alone.
+
+namespace beadswim {
+
+/// Id and type of a swimmer.
+struct SwimmerIdentity {
+  int id = 0;
+  int type = 0;  ///< index into ModelPlan::periods and ModelPlan::radii
+};
+
+/// Positions and velocities of the beads of a swimmer.
+struct SwimmerPose {
+  int id = 0;
+  std::vector<BeadMotion> motion;  ///< [ModelPlan::units]
+};
+
+/// Momentum, mean flow and mass of the scene.
+struct ModelTotals {
+  std::optional<Vec3> momentum;       ///< momentum of fluid and beads [mass length/time]
+  Vec3 mean_flow = Vec3::Zero();      ///< velocity of fluid and beads, averaged over the volume [length/time]
+  std::optional<double> mass_excess;  ///< mass relative to the fluid at rest, minus 1
+};
+
+/// Fault (unphysical state) that ends a run.
+struct ModelFault {
+  RunStatus status = RunStatus::failed;  ///< failed or stopped_speed
+  std::string message;                   ///< place, fault, likely cause and remedy, for users
+};
+
+/// Swimmers in a fluid, which are advanced in time steps.
+class Model {
+ public:
+  Model() = default;
+  virtual ~Model() = default;
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  /// Advances fluid and beads by one time step. If the state becomes unphysical, step() does not throw;
+  /// fault() then returns the fault.
+  virtual void step() = 0;
+  /// Returns the number of time steps since time 0, including the steps of earlier runs that this run
+  /// continues. Local.
+  virtual long steps_done() const = 0;
+
+  /// Returns the number of swimmers that this rank owns. It can change in the next step. Local.
+  virtual int own_swimmers() const = 0;
+  /// Returns id and type of a swimmer that this rank owns. `number`: index from 0 to own_swimmers() - 1.
+  /// Local.
+  virtual SwimmerIdentity own_swimmer(int number) const = 0;
+  /// Returns the bead positions of a swimmer that this rank owns at the present time plus `ahead` time steps
+  /// [ModelPlan::units]. `number`: index from 0 to own_swimmers() - 1. `ahead`: a fraction, positive or
+  /// negative. The error is proportional to ahead^3. Local.
+  virtual std::vector<Vec3> bead_positions(int number, double ahead) const = 0;
+  /// Returns the beads of all swimmers, in the order of their ids, on rank 0, and an empty list on other
+  /// ranks. Positions and velocities are those at the present time plus `ahead` time steps, as above.
+  virtual std::vector<SwimmerPose> gather_swimmers(double ahead) const = 0;
+
+  virtual ModelTotals first_totals() const = 0;  ///< totals at the start of the run
+  virtual ModelTotals totals() = 0;              ///< evaluates the present totals
+  /// Returns the first fault that any rank has found; nullopt if there is none. The result is the same on all
+  /// ranks. Total mass and momentum are checked only if totals() was called after the last step.
+  virtual std::optional<ModelFault> fault() const = 0;
+
+  /// Writes the present flow fields, if the options request flow fields.
+  virtual void write_flow() = 0;
+  /// Adds the data that only this model has to a record that already contains status, momentum and cost.
+  virtual void describe(RunRecord& record) const = 0;
+  /// Returns warnings about states during the run that may have made the results less accurate.
+  virtual std::vector<RunWarning> warnings() const = 0;
+
+  /// Writes the extreme values of the run until now, such as largest speed and smallest gap, for a
+  /// checkpoint, and what else restore() needs to make the model. Only rank 0 writes data.
+  virtual void write_history(OutgoingMessage& history) const = 0;
+  /// Writes the state of fluid and beads, from which a run can continue, as sections of a checkpoint.
+  virtual void write_state(CheckpointWriter& checkpoint) = 0;
+  /// Restores extreme values and state from the checkpoint of a run that had completed `steps_done` time
+  /// steps.
+  virtual void restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) = 0;
+};
+
+/// Description of a run, made before the memory for its model is allocated.
+struct ModelPlan {
+  ModelPlan() = default;
+  virtual ~ModelPlan() = default;
+  ModelPlan(const ModelPlan&) = delete;
+  ModelPlan& operator=(const ModelPlan&) = delete;
+
+  /// Makes the model in its initial state. `trajectory`: path beside which flow fields are written; empty:
+  /// nowhere. `flow_until`: time step until which an earlier run has already written flow fields. The plan
+  /// must exist as long as the model. Throws InputError on all ranks.
+  virtual std::unique_ptr<Model> make(const std::string& trajectory, long flow_until) const = 0;
+  /// Returns the scene on the lattice of the run; nullptr for models without a lattice. Local.
+  virtual const SceneOnLattice* lattice() const { return nullptr; }
+
+  /// Rounds a number of steps up to a multiple of step_multiple.
+  long whole_steps(long steps) const { return round_up_to_multiple(steps, step_multiple); }
+  /// Returns the number of steps of a run of `cycles` base cycles.
+  long steps_in(double cycles) const { return whole_steps(total_steps(cycles, steps_per_cycle)); }
+  /// Returns the number of steps between outputs that are `cycles` base cycles apart.
+  long steps_between_outputs(double cycles) const {
+    return whole_steps(steps_between(cycles, steps_per_cycle));
+  }
+
+  RunSettings settings;                    ///< settings of the run, completed by the plan
+  UnitScales units;                        ///< of the model, in the units of the layout
+  double base_period = 0;                  ///< duration of one cycle of the run [time]
+  double time_step = 0;                    ///< [time]
+  long steps_per_cycle = 0;                ///< time steps per base cycle
+  std::vector<double> periods;             ///< driving period of each type [step]
+  std::vector<std::vector<double>> radii;  ///< radii of the beads of each type [length]
+  /// Stiffness of each angular spring of each type in the run, divided by that of the layout; empty: 1.
+  std::vector<std::vector<double>> softening;
+  std::vector<PlacedSwimmer> swimmers;  ///< in the order of their ids [ModelPlan::units]
+  /// Lattice cells that are updated in a step, as a mean over steps; nullopt: no lattice.
+  std::optional<double> updates_per_step;
+  /// The state can be written, and the run can end, after a multiple of this number of steps.
+  long step_multiple = 1;
+  std::string announcement;                ///< description of the run, one line
+  std::optional<ExpectedErrors> expected;  ///< on rank 0, set by the caller; nullopt: unknown
+  std::vector<RunWarning> warnings;        ///< warnings that are known before the run
+};
+
+}  // namespace beadswim

@@ -1,0 +1,219 @@
+#include "models/lattice_model.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <new>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/coupling/conservation.hpp"
+#include "beadswim/coupling/fault.hpp"
+#include "beadswim/coupling/lattice_memory.hpp"
+#include "beadswim/coupling/refinement.hpp"
+#include "beadswim/run/run_length.hpp"
+#include "beadswim/run/velocity_roundoff.hpp"
+#include "models/fault_message.hpp"
+#include "models/lattice_record.hpp"
+#include "models/lattice_state.hpp"
+#include "models/warnings.hpp"
+
+namespace beadswim {
+namespace {
+
+std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator& communicator) {
+  const Index3& cells = on_lattice.scene.cells;
+  const LatticeChoice& lattice = on_lattice.lattice;
+  const std::vector<Block> levels = on_lattice.scene.all_levels();
+  const std::string size =
+      levels.size() > 1
+          ? fmt::format("{:.3g} cells on {} levels, the finest", cells_on_levels(levels), levels.size())
+          : fmt::format("{} x {} x {} cells", cells[0], cells[1], cells[2]);
+  return fmt::format(
+      "{} of {:.6g}, time step {:.6g}, relaxation time {:.6g}, {} steps per cycle, {} swimmers, {} "
+      "precision, {:.2g} GB on {} ranks",
+      size, lattice.scales.length, lattice.scales.time, lattice.relaxation_time, lattice.steps_per_period,
+      on_lattice.scene.swimmers.size(), to_text(on_lattice.scene.precision),
+      1e-9 * lattice_bytes(on_lattice.scene), communicator.size());
+}
+
+std::optional<FlowOutput> flow_output(const LatticePlan& plan, const std::string& trajectory,
+                                      long flow_until) {
+  if (!plan.settings.flow_every || trajectory.empty()) return std::nullopt;
+  return FlowOutput(trajectory, plan.on_lattice.lattice.scales, flow_until,
+                    static_cast<int>(plan.on_lattice.scene.all_levels().size()), plan.communicator);
+}
+
+/// Returns position and velocity of a bead `ahead` time steps later. `next`: its velocity at the end of the
+/// next step.
+BeadMotion extrapolated(BeadMotion bead, const BeadVelocity& next, double ahead) {
+  const Vec3 acceleration = next.linear - bead.velocity;  // velocity change per step
+  bead.position = bead.position + ahead * bead.velocity + 0.5 * ahead * ahead * acceleration;
+  bead.velocity += ahead * acceleration;
+  return bead;
+}
+
+/// Returns the scene with the levels of a checkpoint. Throws SolverError if they cannot be those of the run.
+CoupledScene with_levels(CoupledScene scene, const std::vector<std::array<int, 6>>& levels,
+                         const std::string& path) {
+  const Block coarsest = scene.levels.front();
+  const std::size_t count = scene.levels.size();
+  scene.levels.clear();
+  bool fits = levels.size() == count;
+  for (const auto& level : levels) {
+    scene.levels.push_back(Block::of_numbers(level));
+    const Block& block = scene.levels.back();
+    fits = fits && !block.is_empty() && (block.size <= scene.cells).all();
+  }
+  if (fits && scene.levels.front() == coarsest) return scene;
+  throw SolverError(path +
+                    ": the levels of cells in the checkpoint are damaged; take the run's other "
+                    "checkpoint (.ckpt.0 or .ckpt.1), or begin without --restart");
+}
+
+}  // namespace
+
+LatticePlan::LatticePlan(const Layout& layout, const RunSettings& requested, const std::string& source,
+                         const Communicator& ranks)
+    : communicator(ranks), on_lattice(put_on_lattice(layout, requested.lattice, source)) {
+  require_memory(on_lattice.scene, communicator);
+  const LatticeChoice& lattice = on_lattice.lattice;
+  settings = requested;
+  settings.lattice.cells_per_radius = on_lattice.resolution.cells_per_radius;
+  settings.lattice.relaxation_time = on_lattice.resolution.relaxation_time;
+  units = lattice.scales;
+  base_period = on_lattice.period;
+  time_step = lattice.scales.time;
+  steps_per_cycle = lattice.steps_per_period;
+  for (const SwimmerType& type : on_lattice.scene.types) {
+    periods.push_back(type.driving.period);
+    std::vector<double>& of_type = radii.emplace_back();
+    for (const Bead& bead : type.beads) of_type.push_back(bead.radius * units.length);
+  }
+  softening = on_lattice.softening;
+  swimmers = on_lattice.scene.swimmers;
+  updates_per_step = beadswim::updates_per_step(on_lattice.scene.all_levels());
+  step_multiple = 1L << (on_lattice.scene.all_levels().size() - 1);
+  announcement = announcement_of(on_lattice, communicator);
+  const long steps = total_steps(settings.cycles, steps_per_cycle);
+  warnings = warnings_before(on_lattice, velocity_roundoff(on_lattice.scene, steps_per_cycle, steps));
+}
+
+std::unique_ptr<Model> LatticePlan::make(const std::string& trajectory, long flow_until) const {
+  try {
+    return std::make_unique<LatticeModel>(*this, trajectory, flow_until);
+  } catch (const std::bad_alloc&) {
+    throw SolverError(fmt::format(
+        "out of memory: the lattice needs about {:.2g} GB on {} ranks; use a smaller {}, {} single, a smaller "
+        "box, more machines, or a higher limit (ulimit -v)",
+        1e-9 * lattice_bytes(on_lattice.scene), communicator.size(), Setting::cells_per_radius,
+        Setting::precision));
+  }
+}
+
+LatticeModel::LatticeModel(const LatticePlan& plan, const std::string& trajectory, long flow_until)
+    : on_lattice_(plan.on_lattice),
+      communicator_(plan.communicator),
+      system_(std::make_unique<CoupledSystem>(on_lattice_.scene, communicator_)),
+      flow_(flow_output(plan, trajectory, flow_until)),
+      first_totals_(system_->totals()),
+      last_totals_(first_totals_) {}
+
+void LatticeModel::step() {
+  system_->step();
+  auto moved = with_levels_around_beads(*system_, communicator_);
+  if (!moved) return;
+  earlier_traffic_.add(system_->traffic());
+  system_ = std::move(moved);
+}
+
+SwimmerIdentity LatticeModel::own_swimmer(int number) const {
+  const SwimmerState& swimmer = system_->owned_swimmers()[number];
+  return {.id = swimmer.id, .type = swimmer.type};
+}
+
+std::vector<Vec3> LatticeModel::bead_positions(int number, double ahead) const {
+  const SwimmerState& swimmer = system_->owned_swimmers()[number];
+  std::vector<Vec3> positions;
+  for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
+    positions.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead).position);
+  return positions;
+}
+
+std::vector<SwimmerPose> LatticeModel::gather_swimmers(double ahead) const {
+  std::vector<SwimmerPose> poses;
+  for (const SwimmerState& swimmer : system_->gather_swimmers()) {
+    SwimmerPose& pose = poses.emplace_back();
+    pose.id = swimmer.id;
+    for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
+      pose.motion.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead));
+  }
+  return poses;
+}
+
+ModelTotals LatticeModel::in_layout_units(const SceneTotals& totals) const {
+  const UnitScales& scales = on_lattice_.lattice.scales;
+  return {.momentum = totals.momentum * scales.momentum(),
+          .mean_flow = totals.mean_flow * scales.velocity(),
+          .mass_excess = totals.mass_excess};
+}
+
+ModelTotals LatticeModel::totals() {
+  last_totals_ = system_->totals();
+  last_totals_step_ = steps_done();
+  return in_layout_units(last_totals_);
+}
+
+std::optional<ModelFault> LatticeModel::fault() const {
+  std::optional<Fault> fault = system_->fault();
+  if (!fault && last_totals_step_ == steps_done()) {
+    fault = conservation_fault(on_lattice_.scene, first_totals_, last_totals_, system_->largest_bead_speed());
+    if (fault) fault->step = steps_done();
+  }
+  if (!fault) return std::nullopt;
+  return ModelFault{.status = fault->kind == FaultKind::speed ? RunStatus::stopped_speed : RunStatus::failed,
+                    .message = fault_message(*fault, on_lattice_, largest_mach())};
+}
+
+double LatticeModel::largest_mach() const {
+  return system_->largest_bead_speed() * std::sqrt(3.0);
+}
+
+void LatticeModel::describe(RunRecord& record) const {
+  Traffic traffic = earlier_traffic_;
+  traffic.add(system_->traffic());
+  describe_lattice_run(record, *system_, on_lattice_, traffic, steps_done() - first_step_, communicator_);
+}
+
+std::vector<RunWarning> LatticeModel::warnings() const {
+  return warnings_after(largest_mach());
+}
+
+void LatticeModel::write_history(OutgoingMessage& history) const {
+  history(system_->progress(), first_totals_, flow_ ? flow_->steps() : std::vector<long>{});
+  if (on_lattice_.scene.levels.empty()) return;
+  std::vector<std::array<int, 6>> levels;
+  for (const Block& level : system_->scene().levels) levels.push_back(level.numbers());
+  history(levels);
+}
+
+void LatticeModel::write_state(CheckpointWriter& checkpoint) {
+  write_lattice_state(checkpoint, *system_);
+}
+
+void LatticeModel::restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) {
+  SystemProgress progress{.steps_done = steps_done};
+  std::vector<long> flow_steps;
+  history(progress, first_totals_, flow_steps);
+  if (flow_) flow_->restore(flow_steps);
+  if (!on_lattice_.scene.levels.empty()) {
+    std::vector<std::array<int, 6>> levels;
+    history(levels);
+    system_.reset();
+    system_ = std::make_unique<CoupledSystem>(with_levels(on_lattice_.scene, levels, checkpoint.path()),
+                                              communicator_);
+  }
+  read_lattice_state(checkpoint, *system_, progress);
+  first_step_ = steps_done;
+}
+
+}  // namespace beadswim

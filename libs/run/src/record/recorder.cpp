@@ -1,0 +1,326 @@
+#include "record/recorder.hpp"
+
+#include <fmt/core.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
+
+#include "beadswim/compare/driving_power.hpp"
+#include "beadswim/compare/swimming.hpp"
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Interpolates linearly between `first` (for part = 0) and `last` (for part = 1). std::lerp makes the result
+/// exact if `first` and `last` are equal.
+Vec3 interpolate(double part, const Vec3& first, const Vec3& last) {
+  Vec3 result;
+  for (int a = 0; a < 3; ++a) result[a] = std::lerp(first[a], last[a], part);
+  return result;
+}
+
+/// Returns the method of theory with the mobility of the model; for the models lbm and multipole, the exact
+/// mobility.
+const Method& towing_method(RunModel model) {
+  const bool has_pairs = model == RunModel::oseen || model == RunModel::rpy;
+  return find_method(has_pairs ? to_text(model) + "-ode" : "multipole-ode");
+}
+
+/// Returns the log of the swimmer with this id, or logs.end(). `logs` are in the order of their ids.
+auto find_log(auto& logs, int id) {
+  const auto log = std::ranges::lower_bound(logs, id, {}, [](const auto& each) { return each.record.id; });
+  return log != logs.end() && log->record.id == id ? log : logs.end();
+}
+
+}  // namespace
+
+CycleStatistics widest_cycle(const Layout& layout) {
+  std::size_t arms = 1;
+  for (const auto& [name, type] : layout.types) arms = std::max(arms, type.bonds.size());
+  CycleStatistics cycle;
+  for (std::vector<double>* column : {&cycle.arm_amplitudes, &cycle.arm_phases, &cycle.arm_means})
+    column->resize(arms);
+  return cycle;
+}
+
+Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter* trajectory,
+                   const Communicator& communicator)
+    : units_(plan.units),
+      time_step_(plan.time_step),
+      communicator_(communicator),
+      steps_per_cycle_(plan.steps_per_cycle),
+      frames_per_cycle_(
+          static_cast<int>(std::min<long>(plan.settings.frames_per_cycle, steps_per_cycle_))),
+      box_(layout.domain.box),
+      flow_(layout.flow),
+      dynamic_viscosity_(layout.fluid.dynamic_viscosity()),
+      towing_method_(towing_method(plan.settings.model)),
+      pairs_(plan.settings.model == RunModel::oseen ? oseen_pairs : rotne_prager_tensor),
+      trajectory_(trajectory),
+      schedules_(plan.periods, frames_per_cycle_),
+      widest_cycle_(widest_cycle(layout)) {
+  if (!communicator.is_root()) return;
+  const Swarm swarm = placed_swimmers(layout);
+  for (std::size_t s = 0; s < swarm.swimmers.size(); ++s) {
+    SwimmerType type = swarm.type_of(swarm.swimmers[s]);
+    if (!plan.softening.empty()) {
+      const std::vector<double>& softening = plan.softening[plan.swimmers[s].type];
+      for (std::size_t k = 0; k < softening.size(); ++k) type.angles[k].stiffness *= softening[k];
+    }
+    const double period = type.driving.period;
+    logs_.push_back({.record = {.id = swarm.swimmers[s].id,
+                                .cycles = {},
+                                .period = period == plan.base_period ? std::nullopt : std::optional(period)},
+                     .type = type,
+                     .initial_orientation = swarm.swimmers[s].orientation,
+                     .samples_per_cycle = schedules_.of(plan.swimmers[s].type).per_cycle(),
+                     .samples = {}});
+  }
+}
+
+std::vector<SwimmerRecord> Recorder::swimmers() const {
+  std::vector<SwimmerRecord> records;
+  for (const SwimmerLog& log : logs_) records.push_back(log.record);
+  return records;
+}
+
+double Recorder::time_of_frame(long frame) const {
+  return static_cast<double>(frame) / frames_per_cycle_ * static_cast<double>(steps_per_cycle_);
+}
+
+long Recorder::step_of_frame(long frame) const {
+  return std::lround(time_of_frame(frame));
+}
+
+void Recorder::sample(const Model& model) {
+  const long step = model.steps_done();
+  if (!schedules_.is_any_due(step)) return;
+  for (int swimmer = 0; swimmer < model.own_swimmers(); ++swimmer) {
+    const SwimmerIdentity name = model.own_swimmer(swimmer);
+    if (!schedules_.is_due(name.type, step)) continue;
+    const SamplingSchedule& schedule = schedules_.of(name.type);
+    const long number = schedule.number_at(step);
+    // The end of a cycle is sampled at its exact time, which can differ from the time of this step by up to
+    // half a time step.
+    const bool ends_cycle = number % schedule.per_cycle() == 0;
+    const double time = ends_cycle ? schedule.time_of(number) : static_cast<double>(step);
+    const PositionSample position_sample{
+        .id = name.id,
+        .number = number,
+        .time = time,
+        .positions = model.bead_positions(swimmer, time - static_cast<double>(step))};
+    pending_samples_(position_sample);
+  }
+  schedules_.advance_to(step + 1);
+}
+
+void Recorder::gather_samples() {
+  IncomingMessage arrived(gather_bytes(pending_samples_.bytes(), communicator_));
+  pending_samples_ = {};
+  while (!arrived.is_at_end()) arrived(gathered_.emplace_back());
+}
+
+void Recorder::store_samples(const FlowSample& now) {
+  std::ranges::sort(gathered_, {}, [](const PositionSample& position_sample) {
+    return std::tuple(position_sample.id, position_sample.number);
+  });
+  for (const PositionSample& position_sample : gathered_) {
+    store_sample(*find_log(logs_, position_sample.id), position_sample, now);
+  }
+  gathered_.clear();
+}
+
+void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_sample, const FlowSample& now) {
+  const double time = position_sample.time * time_step_;
+  const double part =
+      now.time > last_frame_.time ? (time - last_frame_.time) / (now.time - last_frame_.time) : 1;
+  SwimmerSample sample{.time = time,
+                       .bead_positions = {},
+                       .mean_flow = interpolate(part, last_frame_.mean_flow, now.mean_flow)};
+  for (const Vec3& position : position_sample.positions)
+    sample.bead_positions.push_back(position * units_.length);
+  log.samples.push_back(sample);
+  if (position_sample.number == 0 || position_sample.number % log.samples_per_cycle != 0) return;
+  const int index = static_cast<int>(position_sample.number / log.samples_per_cycle);
+  std::vector<CycleStatistics>& cycles = log.record.cycles;
+  if (logs_.size() > max_swimmers_listed) cycles.clear();
+  cycles.push_back(statistics_of(log, index));
+  log.samples.erase(log.samples.begin(),
+                    log.samples.end() - 1);  // the last sample also begins the next cycle
+}
+
+CycleStatistics Recorder::statistics_of(const SwimmerLog& log, int index) const {
+  CycleStatistics cycle = cycle_statistics(index, log.samples, log.type, log.initial_orientation, flow_);
+  cycle.power = driving_power(log.type, log.initial_orientation, log.samples);
+  if (!cycle.power || logs_.size() > max_swimmers_listed) return cycle;
+  if (const auto drag = drag_in_cycle(log, cycle))
+    cycle.efficiency = lighthill_efficiency(*drag, velocity_relative_to_fluid(cycle, box_), *cycle.power);
+  return cycle;
+}
+
+std::optional<double> Recorder::drag_in_cycle(const SwimmerLog& log, const CycleStatistics& cycle) const {
+  if (const std::optional<ThreeBeadSwimmer> three = three_bead_form(log.type)) {
+    const auto& [first, second, third] = three->beads;
+    const CollinearSwimmer swimmer{.radius = {first.radius, second.radius, third.radius},
+                                   .viscosity = dynamic_viscosity_};
+    return towing_drag(towing_method_, swimmer, {cycle.arm_means[0], cycle.arm_means[1]});
+  }
+  const BeadVectors shape = mean_shape(log.samples, log.type, log.initial_orientation);
+  const ShapedSwimmer swimmer{log.type, Eigen::Matrix3d::Identity(), dynamic_viscosity_};
+  return towing_drag(swimmer, shape, Vec3::UnitX(), pairs_);
+}
+
+void Recorder::record(const Model& model, const ModelTotals& totals) {
+  const long step = model.steps_done();
+  const double time = time_of_frame(next_frame_);
+  const std::vector<SwimmerPose> swimmers = model.gather_swimmers(time - static_cast<double>(step));
+  const FlowSample now{.time = static_cast<double>(step) * time_step_, .mean_flow = totals.mean_flow};
+  TrajectoryFrame frame{.step = step,
+                        .time = time * time_step_,
+                        .positions = {},
+                        .velocities = {},
+                        .mean_flow = now.mean_flow,
+                        .momentum = totals.momentum.value_or(Vec3::Zero())};
+  for (const SwimmerPose& swimmer : swimmers) {
+    for (const BeadMotion& bead : swimmer.motion) {
+      frame.positions.push_back(bead.position * units_.length);
+      frame.velocities.push_back(bead.velocity * units_.velocity());
+    }
+  }
+  if (trajectory_ != nullptr) trajectory_->append(frame);
+  record_turns(swimmers);
+  gather_samples();
+  store_samples(now);
+  last_frame_ = now;
+  if (is_cycle_end()) {
+    if (trajectory_ != nullptr) append_cycles(frame.step, frame.time);
+    if (swimmers.size() > 1) append_swarm(swimmers, frame.momentum);
+  }
+  ++next_frame_;
+}
+
+// The rotation between two samples is estimated from the velocities at a frame: from the positions alone, it
+// would be known up to whole turns only.
+void Recorder::record_turns(const std::vector<SwimmerPose>& swimmers) {
+  for (std::size_t s = 0; s < swimmers.size(); ++s) {
+    const SwimmerLog& log = logs_[s];
+    const double interval = log.type.driving.period / log.samples_per_cycle;
+    const double moment = 0.1 * time_step_;  // so short that velocities change little
+    std::vector<Vec3> now, later;
+    for (const BeadMotion& bead : swimmers[s].motion) {
+      now.push_back(bead.position * units_.length);
+      later.push_back(now.back() + moment * units_.velocity() * bead.velocity);
+    }
+    const Eigen::Matrix3d start =
+        fitted_orientation(log.type, columns_of_beads(now), log.initial_orientation);
+    const Eigen::Matrix3d end = fitted_orientation(log.type, columns_of_beads(later), start);
+    const double angle = Eigen::AngleAxisd(end * start.transpose()).angle();
+    largest_turn_ = std::max(largest_turn_, angle * interval / moment);
+  }
+}
+
+std::vector<RunWarning> Recorder::warnings() const {
+  constexpr double allowed = 0.25;
+  std::vector<RunWarning> warnings;
+  const double turns = largest_turn_ / (2 * std::numbers::pi);
+  if (turns > allowed)
+    warnings.push_back(
+        {"fast-rotation",
+         fmt::format("a swimmer rotates by up to {:.2g} turns between two samples, so that angular velocity, "
+                     "velocity and axis in the record can be wrong; use at least {:.0f} {}",
+                     turns, std::ceil(turns / allowed * frames_per_cycle_), Setting::frames_per_cycle)});
+  return warnings;
+}
+
+void Recorder::append_cycles(long step, double time) {
+  std::vector<CycleStatistics> last;
+  for (const SwimmerLog& log : logs_) {
+    const std::vector<CycleStatistics>& cycles = log.record.cycles;
+    last.push_back(cycles.empty() ? record_of_nan<CycleStatistics>() : cycles.back());
+  }
+  trajectory_->append({.step = step, .time = time, .columns = columns_of(std::move(last), widest_cycle_)});
+}
+
+void Recorder::append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3& momentum) {
+  std::vector<SwarmMember> members;
+  for (std::size_t s = 0; s < swimmers.size(); ++s) {
+    const std::vector<BeadMotion>& motion = swimmers[s].motion;
+    std::vector<Vec3> positions;
+    for (const BeadMotion& bead : motion) positions.push_back(bead.position);
+    const SwimmerLog& log = logs_[s];
+    SwarmMember& member = members.emplace_back();
+    member.axis = axis_of(log.type, positions, log.initial_orientation);
+    member.initial_axis = log.initial_orientation.col(0);
+    if (!log.record.cycles.empty()) member.last_cycle = log.record.cycles.back();
+    for (std::size_t b = 0; b < motion.size(); ++b) {
+      member.centre += motion[b].position * units_.length / static_cast<double>(motion.size());
+      const double speed = motion[b].velocity.norm() * units_.velocity();
+      const double spin = motion[b].angular_velocity.norm() / units_.time;
+      member.kinetic_energy += 0.5 * mass(log.type.beads[b]) * speed * speed +
+                               0.5 * moment_of_inertia(log.type.beads[b]) * spin * spin;
+    }
+  }
+  const int index = static_cast<int>(next_frame_ / frames_per_cycle_);
+  swarm_.push_back({.statistics = swarm_statistics(index, members, box_), .momentum = momentum});
+}
+
+template <class Message>
+void Recorder::transfer(Message& message) {
+  message(next_frame_, last_frame_.time, last_frame_.mean_flow, largest_turn_, gathered_, swarm_);
+  for (SwimmerLog& log : logs_) message(log.samples, log.record.cycles);
+}
+
+std::vector<char> Recorder::state() {
+  gather_samples();
+  OutgoingMessage message;
+  if (communicator_.is_root()) transfer(message);
+  return message.bytes();
+}
+
+bool Recorder::is_consistent_with(long steps_done) const {
+  const bool is_next =
+      next_frame_ > 0 && next_frame_ <= steps_done + 1 && step_of_frame(next_frame_) > steps_done;
+  const auto has_all_beads = [](const SwimmerLog& log, const std::vector<Vec3>& positions) {
+    return positions.size() == log.type.beads.size();
+  };
+  return is_next &&
+         std::ranges::all_of(gathered_,
+                             [&](const PositionSample& position_sample) {
+                               const auto log = find_log(logs_, position_sample.id);
+                               return position_sample.number >= 0 && log != logs_.end() &&
+                                      has_all_beads(*log, position_sample.positions);
+                             }) &&
+         std::ranges::all_of(logs_, [&](const SwimmerLog& log) {
+           return std::ranges::all_of(log.samples, [&](const SwimmerSample& sample) {
+             return has_all_beads(log, sample.bead_positions);
+           });
+         });
+}
+
+void Recorder::restore(std::vector<char> state, long steps_done) {
+  schedules_.advance_to(steps_done + 1);
+  if (communicator_.is_root()) {
+    IncomingMessage message(std::move(state));
+    try {
+      transfer(message);
+    } catch (const SolverError&) {
+      throw SolverError(
+          "the run record in the checkpoint is incomplete; take the run's other checkpoint (.ckpt.0 or "
+          ".ckpt.1), or begin without --restart");
+    }
+    if (!message.is_at_end() || !is_consistent_with(steps_done))
+      throw SolverError(
+          "the run record in the checkpoint belongs to another run; take the run's other checkpoint (.ckpt.0 "
+          "or .ckpt.1), or begin without "
+          "--restart");
+  }
+  MPI_Bcast(&next_frame_, 1, MPI_LONG, 0, communicator_.get());
+}
+
+}  // namespace beadswim

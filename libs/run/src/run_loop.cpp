@@ -1,0 +1,153 @@
+#include "run_loop.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <optional>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/round_up.hpp"
+#include "checkpoint_writer.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Number of time steps between checks for faults and requests to stop. These checks need
+/// communication of all ranks.
+constexpr long steps_between_guards = 20;
+
+/// Number of time steps between checks of the total mass and momentum, which are also checked with every
+/// frame.
+constexpr long steps_between_totals = 500;
+
+/// Returns the request to stop of the first rank that has one; nullopt if none has. The result is the same on
+/// all ranks. Collective.
+std::optional<StopRequest> stop_request(const RunSinks& sinks, const Communicator& communicator) {
+  std::optional<StopRequest> request = sinks.stop ? sinks.stop() : std::nullopt;
+  int first = request ? communicator.rank() : communicator.size();
+  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, communicator.get());
+  if (first == communicator.size()) return std::nullopt;
+  if (!request) request.emplace();
+  broadcast(request->reason, communicator, first);
+  MPI_Bcast(&request->status, sizeof(RunStatus), MPI_BYTE, first, communicator.get());
+  return request;
+}
+
+/// Time steps at which outputs and checks are due. An interval of 0 means that the output is never due.
+struct Timetable {
+  long steps = 0, guard_interval = 0, totals_interval = 0, flow_interval = 0, checkpoint_interval = 0;
+
+  explicit Timetable(const ModelPlan& plan)
+      : steps(plan.steps_in(plan.settings.cycles)),
+        guard_interval(plan.whole_steps(steps_between_guards)),
+        totals_interval(round_up_to_multiple(steps_between_totals, guard_interval)),
+        flow_interval(interval(plan, plan.settings.flow_every)),
+        checkpoint_interval(interval(plan, plan.settings.checkpoint_every)) {}
+
+  bool is_last(long step) const { return step == steps; }
+  bool is_flow(long step) const { return flow_interval > 0 && step % flow_interval == 0; }
+  bool is_checkpoint(long step) const {
+    return checkpoint_interval > 0 && (is_last(step) || step % checkpoint_interval == 0);
+  }
+  bool is_guard(long step) const {
+    return is_last(step) || is_checkpoint(step) || step % guard_interval == 0;
+  }
+
+ private:
+  static long interval(const ModelPlan& plan, const std::optional<double>& cycles) {
+    return cycles ? plan.steps_between_outputs(*cycles) : 0;
+  }
+};
+
+class TimeLoop {
+ public:
+  TimeLoop(const RunParts& parts, const RunHistory& history)
+      : parts_(parts), history_(history), due_(parts.plan) {}
+
+  /// Records the first frame of a new run.
+  void record_start() {
+    outcome_.last_totals = parts_.model.first_totals();
+    parts_.recorder.sample(parts_.model);
+    parts_.recorder.record(parts_.model, outcome_.last_totals);
+  }
+  void resume() { outcome_.last_totals = parts_.model.totals(); }
+
+  RunOutcome run() {
+    while (step() < due_.steps && outcome_.status == RunStatus::finished) {
+      parts_.model.step();
+      parts_.recorder.sample(parts_.model);
+      const bool is_guard = due_.is_guard(step()), is_frame = parts_.recorder.is_due(step());
+      if (!is_guard && !is_frame && !due_.is_flow(step())) continue;
+      if (!is_sound(is_frame)) break;
+      if (is_frame) parts_.recorder.record(parts_.model, outcome_.last_totals);
+      if (due_.is_flow(step())) parts_.model.write_flow();
+      if (is_guard) guard();
+    }
+    const RunHistory now = current_history();
+    outcome_.wall_seconds = now.wall_seconds;
+    outcome_.core_seconds = now.core_seconds;
+    return outcome_;
+  }
+
+ private:
+  long step() const { return parts_.model.steps_done(); }
+
+  /// Returns true if no rank has found a fault. Otherwise stores the fault in the outcome. Also evaluates the
+  /// totals of the scene if a frame, a checkpoint or the run record needs them.
+  bool is_sound(bool is_frame) {
+    ModelTotals totals = outcome_.last_totals;
+    if (is_frame || due_.is_last(step()) || due_.is_checkpoint(step()) || step() % due_.totals_interval == 0)
+      totals = parts_.model.totals();
+    if (const std::optional<ModelFault> fault = parts_.model.fault()) {
+      outcome_.status = fault->status;
+      outcome_.reason = fault->message;
+      return false;
+    }
+    outcome_.last_totals = totals;
+    return true;
+  }
+
+  /// Stops the run if this is requested. Writes a checkpoint if one is due or if the
+  /// run stops.
+  void guard() {
+    if (parts_.communicator.is_root() && parts_.sinks.progress) parts_.sinks.progress(step());
+    bool is_checkpoint = due_.is_checkpoint(step());
+    const std::optional<StopRequest> stop =
+        due_.is_last(step()) ? std::nullopt : stop_request(parts_.sinks, parts_.communicator);
+    if (stop) {
+      outcome_.status = stop->status;
+      outcome_.reason = fmt::format("step {} of {}: {}", step(), due_.steps, stop->reason);
+      outcome_.last_totals = parts_.model.totals();
+      is_checkpoint = true;
+    }
+    if (is_checkpoint) parts_.checkpoints.write(parts_, current_history());
+  }
+
+  /// Returns steps and cost of this run until the present step, including the earlier runs that it continues.
+  RunHistory current_history() const {
+    const double seconds = MPI_Wtime() - start_;
+    return {.steps_done = step(),
+            .wall_seconds = history_.wall_seconds + seconds,
+            .core_seconds = history_.core_seconds + seconds * parts_.communicator.size()};
+  }
+
+  const RunParts& parts_;
+  RunHistory history_;
+  Timetable due_;
+  double start_ = MPI_Wtime();
+  RunOutcome outcome_;
+};
+
+}  // namespace
+
+RunOutcome run_to_end(const RunParts& parts, const std::optional<RunHistory>& history) {
+  TimeLoop loop(parts, history.value_or(RunHistory{}));
+  if (history) {
+    loop.resume();
+  } else {
+    loop.record_start();
+  }
+  return loop.run();
+}
+
+}  // namespace beadswim

@@ -1,0 +1,81 @@
+#include "beadswim/run/velocity_roundoff.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "beadswim/lattice/trt.hpp"
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/run/reason_against.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
+#include "beadswim/theory/linear_response.hpp"
+#include "beadswim/theory/perturbation.hpp"
+#include "beadswim/theory/shaped_swimmer.hpp"
+
+namespace beadswim {
+namespace {
+
+// Upper bounds of errors of single precision, measured by comparison with double precision and divided by the
+// speed of the fastest bead: the error of the velocity of a swimmer in one cycle, and the change of the mean
+// fluid velocity per step.
+constexpr double error_over_bead_speed = 1e-8;
+constexpr double drift_over_bead_speed = 1e-13;
+
+// Error of the displacement of a swimmer in one cycle in double precision, if coordinates are some tens of
+// cells.
+constexpr double displacement_error = 1e-13;  // [cell]
+
+struct Speeds {
+  double bead, swimmer;  ///< of the fastest bead; of the swimmer, period average [cell/step]
+};
+
+/// Returns the speeds of a swimmer of any shape, in the directions of its type. The speed of the swimmer
+/// includes that of its ends by rotation.
+Speeds predicted_speeds_of_shape(const SwimmerType& type, double viscosity) {
+  const ShapedSwimmer swimmer{type, Eigen::Matrix3d::Identity(), viscosity};
+  const ShapeMotion motion = second_order_motion(swimmer, rotne_prager_tensor);
+  const double reach = motion.mean_shape.colwise().norm().maxCoeff();
+  const double omega = 2 * std::numbers::pi / type.driving.period;
+  double swing = 0;
+  for (const double amplitude : motion.stroke.amplitude) swing = std::max(swing, amplitude);
+  const double swimming = motion.velocity.norm() + motion.angular_velocity.norm() * reach;
+  return {.bead = omega * swing + swimming, .swimmer = swimming};
+}
+
+/// Returns the speeds of a swimmer of this type; of three beads, with the driving along their axis.
+Speeds predicted_speeds(const SwimmerType& type, double viscosity) {
+  if (!three_bead_form(type)) return predicted_speeds_of_shape(type, viscosity);
+  const CollinearSwimmer swimmer = collinear_swimmer(three_beads(type), Vec3::UnitX(), viscosity);
+  const CollinearMobility mobility = rest_mobility(swimmer, rotne_prager);
+  const Eigen::Vector3cd displacement = linear_response(swimmer, mobility.value).displacement;
+  return {.bead = swimmer.angular_frequency() * displacement.cwiseAbs().maxCoeff(),
+          .swimmer = std::abs(second_order_motion(swimmer, mobility).velocity)};
+}
+
+}  // namespace
+
+double velocity_roundoff(const CoupledScene& scene, long steps_per_period, long steps) {
+  double worst = 0;
+  for (const SwimmerType& type : scene.types) {
+    Speeds speeds{};
+    const std::string unknown =
+        reason_against([&] { speeds = predicted_speeds(type, lattice_viscosity(scene.relaxation_time)); });
+    if (!unknown.empty()) continue;
+    if (speeds.bead == 0) continue;  // the type is not driven
+    constexpr double none = 1e-12;   // smaller ratios of swimmer speed to bead speed are roundoff
+    const bool is_swimming = speeds.swimmer > none * speeds.bead;
+    if (scene.precision == Precision::fp64) {
+      if (is_swimming)
+        worst =
+            std::max(worst, displacement_error / (speeds.swimmer * static_cast<double>(steps_per_period)));
+      continue;
+    }
+    const double error = error_over_bead_speed + drift_over_bead_speed * static_cast<double>(steps);
+    worst = std::max(
+        worst, is_swimming ? error * speeds.bead / speeds.swimmer : std::numeric_limits<double>::infinity());
+  }
+  return worst;
+}
+
+}  // namespace beadswim
