@@ -104,9 +104,10 @@ std::string settings_text(const RunSettings& settings, const std::set<Setting>& 
   auto usual = defaults.begin();
   std::string text;
   visit_fields(
-      [&](const char*, const auto& field, const SettingRow& row) {
+      [&]<class T>(const char*, const T& field, const SettingRow& row) {
         const std::string value = setting_text(row, field);
-        const bool is_usual = value == *usual++ && !chosen.contains(row.setting);
+        bool is_usual = value == *usual++ && !chosen.contains(row.setting);
+        if constexpr (is_optional<T>) is_usual = is_usual || !field;
         const bool is_of_model = row.scope != SettingScope::all && row.changes_results && applies(row, settings.model);
         if (row.setting == Setting::model || (is_of_model && (row.is_always_named || !is_usual)))
           text += fmt::format("{}{} {}", text.empty() ? "" : " ", row.setting, value);
