@@ -76,8 +76,8 @@ std::string cells_by_level(const std::vector<const PlannedRun*>& runs) {
   for (const PlannedRun* run : runs) {
     if (run->cells.size() < 2) continue;
     const std::string line = fmt::format(
-        "cells: --cells-per-radius {:g} --refine {}: {}, coarsest level first\n",
-        *run->settings.lattice.cells_per_radius, run->cells.size() - 1, fmt::join(run->cells, " + "));
+        "cells: {} {:g} {} {}: {}, coarsest level first\n", Setting::cells_per_radius,
+        *run->settings.lattice.cells_per_radius, Setting::refinement, run->cells.size() - 1, fmt::join(run->cells, " + "));
     if (listed.insert(line).second) text += line;
   }
   return text;
@@ -94,7 +94,7 @@ std::string command_of(const Proposal& proposal, const std::string& layout) {
   const std::string command = "beadswim-layout reduce " + shell_word(layout);
   if (!proposal.box) return command;
   const Vec3& box = *proposal.box;
-  return fmt::format("{} --box {},{},{}", command, box[0], box[1], box[2]);
+  return fmt::format("{} {} {},{},{}", command, Setting::box, box[0], box[1], box[2]);
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ std::string plan_table(const RunPlan& plan, const std::string& layout) {
         "not listed: {} lattice runs that cost more than a run with a similar or smaller error\n", others);
   if (plan.best && !choice)
     text += fmt::format("no run has an error limit within {}{}\n", in_percent(plan.tolerance),
-                        plan.request.tolerance ? "" : ", the default of --tolerance");
+                        plan.request.tolerance ? "" : fmt::format(", the default of {}", Setting::tolerance));
   text += cells_by_level(front) + fmt::format("error: {}\n", error_definition);
   for (const std::string& refusal : refusals(plan)) text += fmt::format("refused: {}\n", refusal);
   for (const std::string& hard : plan.hard) text += fmt::format("hard: {}\n", hard);

@@ -30,6 +30,7 @@ constexpr auto flags = std::to_array<NamedValue<Setting>>({
     {Setting::multipole_order, "--multipole-order"},
     {Setting::output, "-o"},
     {Setting::period, "--period"},
+    {Setting::plan, "beadswim-run --plan"},
     {Setting::precision, "--precision"},
     {Setting::radius_correction, "--radius-correction"},
     {Setting::ranks, "mpirun -n"},
