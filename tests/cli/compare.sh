@@ -1,7 +1,7 @@
 #!/bin/bash
 # Tests beadswim-compare: the verdict as exit status, the choice of the method that determines the verdict, and refused input.
 source "$(dirname "$0")/harness.sh"
-cp "$BEADSWIM_SOURCE"/tests/data/compare/*.json .
+stored_documents
 
 judged() { # STATUS COMMAND...   a comparison that was made: verdict on standard output, table on standard error
   local wanted=$1

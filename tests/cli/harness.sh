@@ -13,6 +13,7 @@
 #                            matches REGEX and begins with the name of the program
 #   valid SCHEMA FILE        checks that python3-jsonschema, a validator of another project, accepts FILE by SCHEMA.schema.json
 #   same_bytes A B           checks that two shell commands, given as text, write the same bytes, and not nothing
+#   stored_documents         copies the documents of tests/data/compare, and makes NAME_shorter_period.json of both, with another period
 #   skip REASON              ends the script as skipped, or as failed if BEADSWIM_NONE_SKIPPED is set
 #   finish                   ends the script, with exit status 1 if a check failed; must be its last line
 #
@@ -106,6 +107,12 @@ same_bytes() {
 
 # holds [JQ-FLAG...] CONDITION FILE   returns success if the jq condition is true for the JSON document in FILE.
 holds() { jq -e "$@" >/dev/null; }
+
+stored_documents() {
+  cp "$BEADSWIM_SOURCE"/tests/data/compare/*.json .
+  jq '.driving.period = 2000 | .swimmers[].cycles[].velocity[0] *= 0.85' run.json >run_shorter_period.json
+  jq '.predictions[] |= (.settings.period = 2000 | .velocity *= 0.9)' prediction.json >prediction_shorter_period.json
+}
 
 skip() {
   echo "skipped: $1"

@@ -2,7 +2,7 @@
 # Tests beadswim-plot: its figures must be well-formed, equal on every run of the program, and contain the data of the input
 # files.
 source "$(dirname "$0")/harness.sh"
-cp "$BEADSWIM_SOURCE"/tests/data/compare/*.json .
+stored_documents
 
 well_formed() { # FILE
   check "$1 is not well-formed XML" python3 -c 'import sys, xml.dom.minidom as xml; xml.parse(sys.argv[1])' "$1"
