@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "beadswim/mobility/pair_mobility.hpp"
 
@@ -11,11 +10,6 @@ namespace beadswim {
 namespace {
 
 constexpr double eta = 1.0 / 3;  // [mass/(length time)]
-constexpr double pi = std::numbers::pi;
-
-PeriodicStokes periodic_box(double x, double y, double z) {
-  return {eta, periodic_line({.lengths = {x, y, z}, .boundary = {}}, 0, 0)};
-}
 
 /// Returns the flow at (d, y, z) of a periodic lattice of forces at the origin: the contribution of mirror
 /// images at y and z.
@@ -34,17 +28,6 @@ SteadyLine off_the_line(double d, double y, double z, const Vec3& periods) {
     flow.*part += axis.*part;
   }
   return flow;
-}
-
-// Hasimoto's cubic array of spheres: mobility over the lone sphere's 1 - 2.837297 a/L + (4 pi/3)(a/L)^3. A
-// wrong own term or background shows here.
-TEST(PeriodicStokes, SlowsACubicArrayOfSpheresAsHasimotoFound) {
-  const double a = 4, length = 50;
-  const SteadyLine images = periodic_box(length, length, length).images();
-  constexpr double printed_digits = 0.5e-6, roundoff = 1e-13;
-  EXPECT_NEAR(images.oseen.value / self_mobility(length, eta), -2.837297, printed_digits);
-  EXPECT_NEAR(2 * a * a * images.laplacian.value / self_mobility(a, eta),
-              4 * pi / 3 * std::pow(a / length, 3), roundoff);
 }
 
 // The splitting is an arbitrary number: a missing or doubled piece of either sum depends on it.
@@ -67,32 +50,6 @@ TEST(PeriodicStokes, DoesNotDependOnSplitting) {
     EXPECT_NEAR(other.images().oseen.value, reference.images().oseen.value, roundoff * unit);
     EXPECT_NEAR(other.images().laplacian.value, reference.images().laplacian.value, roundoff * unit);
   }
-}
-
-// A box twice as long with two forces a period apart is the same fluid.
-TEST(PeriodicStokes, IsUnchangedByDoublingTheBoxWithItsForces) {
-  const PeriodicStokes single = periodic_box(60, 50, 40), doubled = periodic_box(120, 50, 40);
-  const double d = 17;
-  constexpr double roundoff = 1e-15;
-  EXPECT_NEAR(doubled.at(d).oseen.value + doubled.at(d - 60).oseen.value, single.at(d).oseen.value, roundoff);
-  EXPECT_NEAR(doubled.at(d).oseen.slope + doubled.at(d - 60).oseen.slope, single.at(d).oseen.slope, roundoff);
-  EXPECT_NEAR(doubled.images().oseen.value + doubled.at(60).oseen.value, single.images().oseen.value,
-              roundoff);
-  EXPECT_NEAR(doubled.images().laplacian.value + doubled.at(60).laplacian.value,
-              single.images().laplacian.value, roundoff);
-}
-
-// Far images are felt as -2.837297/(6 pi eta L), everywhere alike up to order (d/L)^2.
-TEST(PeriodicStokes, TendsToUnboundedFlowInLargeBoxes) {
-  const double d = 12;
-  const auto correction = [&](double length) {
-    return (periodic_box(length, length, length).at(d).oseen.value - 1 / (4 * pi * eta * d)) /
-           self_mobility(length, eta);
-  };
-  const double limit = -2.837297479;
-  EXPECT_NEAR(std::log2((correction(200) - limit) / (correction(400) - limit)), 2, 0.02);  // truncation: 2nd
-  EXPECT_NEAR(std::log2((correction(400) - limit) / (correction(800) - limit)), 2, 0.02);
-  EXPECT_NEAR(correction(1600), limit, 1e-3);
 }
 
 // The size term against fourth-order differences of the Oseen term at a point off the line.

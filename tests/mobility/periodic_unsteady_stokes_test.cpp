@@ -139,24 +139,6 @@ TEST(PeriodicUnsteadyStokes, TendsToSteadyFlowBetweenEndWalls) {
   EXPECT_NEAR(difference(1e-6), 0, 1e-9);
 }
 
-TEST(PeriodicUnsteadyStokes, IsUnchangedByDoublingTheBoxWithItsForces) {
-  const LineFlow single(eta, {.lengths = {60, 50, 40}, .boundary = {}}, 3, 4);
-  const LineFlow doubled(eta, {.lengths = {120, 50, 40}, .boundary = {}}, 3, 4);
-  const LineFlow walls(
-      eta,
-      {.lengths = {60, 50, 40}, .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}},
-      25, 20);
-  constexpr double roundoff = 1e-13;
-  for (const double modulus : {0.01, 0.1, 1.0}) {
-    const Complex alpha = alpha_of_modulus(modulus);
-    const Complex pair = single.unsteady(alpha, 17, 0).total.value;
-    const Complex two_pairs =
-        doubled.unsteady(alpha, 17, 0).total.value + doubled.unsteady(alpha, 17, 60).total.value;
-    EXPECT_NEAR(std::abs(two_pairs / pair - 1.0), 0, roundoff) << "alpha = " << modulus;
-    EXPECT_NEAR(std::abs(walls.unsteady(alpha, 17, 0).total.value / pair - 1.0), 0, roundoff);
-  }
-}
-
 TEST(PeriodicUnsteadyStokes, DoesNotCrossAFreeSlipWall) {
   const LineFlow flow(
       eta,

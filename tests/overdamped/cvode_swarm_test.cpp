@@ -44,16 +44,19 @@ void expect_third_order(const OverdampedScene& scene, double end, int steps, dou
   EXPECT_LT(fine, coarse / 6 + global);
 }
 
-// Another integrator, of any order, that chooses its steps, with springs that Runge and Kutta do not bear.
+// Another integrator, of any order, that chooses its steps. Swimmers turn, bend and drag each other.
 TEST(CvodeSwarm, OverdampedSystemMovesAlikeInOpenSpace) {
   const OverdampedScene scene = turned_swimmers();
   constexpr double truncation = 5e-5;  // 2560 steps a cycle: bending relaxes over 6
   expect_third_order(scene, scene.types[0].driving.period / 2, 1280, truncation);
 }
 
-TEST(CvodeSwarm, OverdampedSystemMovesAlikeInAPeriodicBox) {
+TEST(CvodeSwarm, OverdampedSystemMovesAlikeInABoxWithWalls) {
   OverdampedScene scene = turned_swimmers();
-  scene.box = Box{{110, 90, 80}, {}};
+  scene.types.push_back(swimmer_type(odd_swimmer()));
+  for (Bond& bond : scene.types[1].bonds) bond.damping = 0;
+  scene.swimmers[1].type = 1;
+  scene.box = Box{{110, 90, 80}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
   scene.tolerance = 1e-6;
   constexpr double truncation = 5e-5;
   expect_third_order(scene, scene.types[0].driving.period / 16, 160, truncation);

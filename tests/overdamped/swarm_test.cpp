@@ -10,18 +10,6 @@
 namespace beadswim {
 namespace {
 
-/// Returns three swimmers, rotated and close to each other, one of which has another type.
-OverdampedScene three_swimmers(int steps_per_cycle) {
-  OverdampedScene scene = turned_swimmers();
-  scene.step /= steps_per_cycle;
-  scene.swimmers[0].orientation = shortest_turn(Vec3::UnitX());
-  scene.swimmers[1].type = 1;
-  scene.types.push_back(swimmer_type(odd_swimmer()));
-  for (Bond& bond : scene.types[1].bonds) bond.damping = 0;
-  for (SwimmerType& type : scene.types) type.angles[0].stiffness = 2;  // bends, and Runge and Kutta bear it
-  return scene;
-}
-
 direct::Spheres spheres_of(const OverdampedScene& scene, const direct::Vectors& places, double time) {
   direct::Spheres spheres{places, bead_radii(scene), {}};
   for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
@@ -34,50 +22,6 @@ direct::Spheres spheres_of(const OverdampedScene& scene, const direct::Vectors& 
     for (int b = 0; b < 3; ++b) spheres.forces.push_back(forces.col(b));
   }
   return spheres;
-}
-
-/// Returns the positions at the time `end` by Runge-Kutta steps and direct sums over all pairs.
-direct::Vectors by_runge_kutta(const OverdampedScene& scene, direct::Vectors x, double end, int steps) {
-  const auto velocity = [&](const direct::Vectors& places, double time) {
-    const direct::Spheres spheres = spheres_of(scene, places, time);
-    if (!scene.box) return direct::open_velocities(direct::Law::rotne_prager, spheres, scene.viscosity);
-    return direct::box_velocities(direct::Law::rotne_prager, spheres, scene.viscosity, *scene.box);
-  };
-  const auto ahead = [&](const direct::Vectors& v, double by) {
-    direct::Vectors places = x;
-    for (std::size_t b = 0; b < x.size(); ++b) places[b] += by * v[b];
-    return places;
-  };
-  const double h = end / steps;
-  for (int n = 0; n < steps; ++n) {
-    const auto k1 = velocity(x, n * h), k2 = velocity(ahead(k1, h / 2), (n + 0.5) * h),
-               k3 = velocity(ahead(k2, h / 2), (n + 0.5) * h), k4 = velocity(ahead(k3, h), (n + 1) * h);
-    for (std::size_t b = 0; b < x.size(); ++b) x[b] += h / 6 * (k1[b] + 2 * k2[b] + 2 * k3[b] + k4[b]);
-  }
-  return x;
-}
-
-// Swimmers that turn, bend and drag each other: another integrator, and every pair written out.
-TEST(OverdampedSwarm, MovesAsRungeAndKuttaSayInOpenSpace) {
-  constexpr int steps = 1200;
-  constexpr double truncation = 3e-5;  // strokes are 4, 2/3 of a cycle
-  const OverdampedScene scene = three_swimmers(steps);
-  const auto start = positions_after(scene, 0);
-  const double end = scene.step * 800;
-  const auto exact = by_runge_kutta(scene, start, end, 1600);
-  EXPECT_GT(farthest(start, exact), 1);
-  EXPECT_LT(farthest(positions_after(scene, 800), exact), truncation);
-}
-
-TEST(OverdampedSwarm, MovesAsRungeAndKuttaSayInABoxWithWalls) {
-  constexpr int steps = 300;
-  constexpr double truncation = 1e-3;
-  OverdampedScene scene = three_swimmers(steps);
-  scene.box = Box{{110, 90, 80}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
-  scene.tolerance = 1e-6;
-  const auto start = positions_after(scene, 0);
-  const double end = scene.step * 30;
-  EXPECT_LT(farthest(positions_after(scene, 30), by_runge_kutta(scene, start, end, 40)), truncation);
 }
 
 // Two swimmers that are driven into each other across a seam of the box do as in its middle.

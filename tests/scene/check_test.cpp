@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "beadswim/scene/presets.hpp"
-#include "three_bead_types.hpp"
 
 namespace beadswim {
 namespace {
@@ -33,32 +32,6 @@ TEST(CheckLayout, FindsNothingWrongWithThePaper) {
   EXPECT_EQ(faults(small_scene()), "");
 }
 
-TEST(CheckLayout, NamesAnUnknownTypeAndTheNearest) {
-  Layout layout = small_scene();
-  layout.types["swimmer"] = layout.types["a"];
-  layout.swimmers[0].type = "swimer";
-  EXPECT_THAT(faults(layout),
-              testing::StartsWith("/swimmers/0/type: the swimmer type \"swimer\" is not defined"));
-  EXPECT_THAT(faults(layout), HasSubstr("\"swimmer\"?"));
-}
-
-TEST(CheckLayout, RefusesAnIdGivenTwice) {
-  Layout layout = small_scene();
-  layout.swimmers.push_back(layout.swimmers[0]);
-  EXPECT_EQ(faults(layout),
-            "/swimmers/1/id: the id 0 is already used by /swimmers/0; give each swimmer another id\n");
-}
-
-TEST(CheckLayout, RefusesAnAxisThatIsNotAUnitVector) {
-  Layout layout = small_scene();
-  layout.swimmers[0].axis = Vec3(3, 0, 4);
-  EXPECT_THAT(
-      faults(layout),
-      HasSubstr(
-          "/swimmers/0/axis: the axis (3, 0, 4) has the length 5, but must be a unit vector; divided by "
-          "its length it is (0.6, 0, 0.8)"));
-}
-
 TEST(NormaliseAxes, RoundsToUnitLengthAndLeavesUnitVectorsBitwise) {
   Layout layout = small_scene();
   layout.swimmers[0].axis = Vec3(0.8, 0.6, 0) * (1 + 5e-7);
@@ -69,22 +42,6 @@ TEST(NormaliseAxes, RoundsToUnitLengthAndLeavesUnitVectorsBitwise) {
   EXPECT_EQ(layout.swimmers[0].axis, once);
 }
 
-TEST(CheckLayout, RefusesAnArmShorterThanItsBeads) {
-  Layout layout = small_scene();
-  change(layout.types["a"], [](ThreeBeadSwimmer& type) {
-    type.springs[1].rest_length = 8;  // the sum of the radii: touching
-  });
-  EXPECT_THAT(faults(layout),
-              HasSubstr("/types/a/springs/1/rest_length: with the rest length 8, beads 2 and 3 overlap"));
-}
-
-TEST(CheckLayout, RefusesBead2OutsideTheBox) {
-  Layout layout = small_scene();
-  layout.swimmers[0].position = Vec3(72.5, 15, 15);
-  EXPECT_THAT(faults(layout),
-              HasSubstr("/swimmers/0/position: the position (72.5, 15, 15) of bead 2 lies outside the box"));
-}
-
 // Bonds use unwrapped coordinates, so an arm across the periodic seam is no fault; across a wall it is.
 TEST(CheckLayout, LetsArmsCrossASeamButNotAWall) {
   Layout layout = small_scene();
@@ -93,13 +50,6 @@ TEST(CheckLayout, LetsArmsCrossASeamButNotAWall) {
   layout.domain.box->boundary[0] = Boundary::free_slip;
   EXPECT_THAT(faults(layout),
               HasSubstr("bead 1 of radius 4 at (-10, 15, 15) is not completely between the walls along x"));
-}
-
-TEST(CheckLayout, RefusesABeadThatPiercesAWallWithItsCentreInside) {
-  Layout layout = small_scene();
-  layout.domain.box->boundary[2] = Boundary::no_slip;
-  layout.swimmers[0].position[2] = 3.5;
-  EXPECT_THAT(faults(layout), HasSubstr("along z: its centre must be between 4 and 26"));
 }
 
 TEST(CheckLayout, NamesBothSwimmersOfAnOverlap) {
@@ -124,14 +74,6 @@ TEST(CheckLayout, RefusesABoxSoShortThatASwimmerMeetsItsOwnImages) {
   EXPECT_EQ(faults(layout), "");
   layout.domain.box->lengths[0] = 47.5;
   EXPECT_THAT(faults(layout), HasSubstr("through the periodic boundary"));
-}
-
-TEST(CheckLayout, RefusesAUnitThatContradictsItsName) {
-  Layout layout = small_scene();
-  layout.units = {.lattice = false, .length = {"um", 1e-6}, .time = {"ms", 1}, .mass = {"jelly bean", 1e-3}};
-  EXPECT_EQ(faults(layout),
-            "/units/time/si_factor: the factor 1 is wrong: one ms is 0.001 in SI units; give that factor or "
-            "another unit name\n");
 }
 
 }  // namespace

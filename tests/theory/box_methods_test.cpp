@@ -56,21 +56,6 @@ TEST(RpyBox, StrokeIsThatOfAnIndependentEwaldSum) {
   }
 }
 
-// ---- Large boxes
-
-// Forces that sum to zero leave a flow of dipoles, 1/r^2, whose images change by 1/L^3 from bead to bead.
-TEST(RpyBox, TendsToUnboundedAsInverseCubeOfLength) {
-  constexpr double slope_tolerance = 0.1;
-  const auto periodic = [](double L) { return over_unbounded(unequal_swimmer(), periodic_box(L, L, L)) - 1; };
-  const auto walled = [](double L) { return over_unbounded(unequal_swimmer(), walled_box(L, L, L)) - 1; };
-  EXPECT_NEAR(std::log2(periodic(400) / periodic(800)), 3, slope_tolerance);
-  EXPECT_NEAR(std::log2(periodic(800) / periodic(1600)), 3, slope_tolerance);
-  EXPECT_LT(std::abs(periodic(1600)), 1e-5);
-  EXPECT_NEAR(std::log2(walled(800) / walled(1600)), 3, slope_tolerance);
-  EXPECT_NEAR(std::log2(walled(1600) / walled(3200)), 3, slope_tolerance);
-  EXPECT_LT(std::abs(walled(3200)), 1e-6);
-}
-
 // ---- Mirrors
 
 class BoxMethod : public testing::TestWithParam<std::string> {
@@ -92,14 +77,6 @@ TEST_P(BoxMethod, MidwayBetweenSideWallsIsPeriodic) {
   const Box walls{.lengths = {120, 70, 50},
                   .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}};
   expect_same(in_box(walls, {10, 35, 25}), in_box(periodic_box(120, 70, 50), {77, 3, 60}));
-}
-
-// Elsewhere between them they lie differently: near a wall the swimmer has its own copy beside it.
-TEST_P(BoxMethod, ElsewhereBetweenSideWallsIsNot) {
-  const Box walls{.lengths = {120, 70, 50},
-                  .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}};
-  const double midway = in_box(walls, {10, 35, 25}).velocity, near_wall = in_box(walls, {10, 7, 25}).velocity;
-  EXPECT_GT(std::abs(near_wall / midway - 1), 1e-3);
 }
 
 // Which side wall is which, and which of the two widths comes first, is nothing to a swimmer.
@@ -136,73 +113,6 @@ INSTANTIATE_TEST_SUITE_P(All, BoxMethod,
                          testing::Values("rpy-box-perturbation", "rpy-box-ode", "unsteady-response",
                                          "inertia-corrected"),
                          test_name);
-
-/// Returns the Rotne-Prager mobility of beads at positions on a line in a periodic box.
-Eigen::MatrixXd periodic_mobility(const LineFlow& flow, const std::vector<double>& radii,
-                                  const std::vector<double>& x, double viscosity) {
-  const auto count = static_cast<Eigen::Index>(x.size());
-  Eigen::MatrixXd mobility(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    for (Eigen::Index j = 0; j < count; ++j) {
-      const SteadyFlow pair = i == j ? flow.steady_images(x[i]) : flow.steady(x[i], x[j]);
-      mobility(i, j) = pair.oseen.value + (radii[i] * radii[i] + radii[j] * radii[j]) * pair.laplacian.value;
-      if (i == j) mobility(i, j) += self_mobility(radii[i], viscosity);
-    }
-  }
-  return mobility;
-}
-
-// What walls across the axis mean: in a periodic box of twice the length swims a mirrored swimmer as well,
-// with the opposite forces. Six beads, of which three are read.
-TEST(RpyBox, WallsAcrossTheAxisAreAMirroredSwimmer) {
-  const CollinearSwimmer swimmer = unequal_swimmer();
-  const BoxPlace place{
-      {.lengths = {110, 90, 80}, .boundary = {Boundary::free_slip, Boundary::periodic, Boundary::periodic}},
-      {45, 0, 0}};
-  const CollinearMobility walls =
-      rotne_prager_mobility(box_line_flow(place, swimmer.viscosity), swimmer, rest_positions(swimmer, place));
-  std::vector<double> radii(swimmer.radius.begin(), swimmer.radius.end());
-  const LinePositions rest = rest_positions(swimmer, place);
-  std::vector<double> x(rest.begin(), rest.end());
-  for (int i = 0; i < 3; ++i) {
-    radii.push_back(swimmer.radius[i]);
-    x.push_back(-rest[i]);
-  }
-  const LineFlow doubled(swimmer.viscosity, periodic_box(220, 90, 80), 0, 0);
-  const Eigen::MatrixXd six = periodic_mobility(doubled, radii, x, swimmer.viscosity);
-  const Eigen::Matrix3d expected = six.topLeftCorner<3, 3>() - six.topRightCorner<3, 3>();
-  constexpr double roundoff = 1e-12;
-  EXPECT_LT((walls.value - expected).norm() / expected.norm(), roundoff);
-}
-
-// All slopes, by differences of the mobility, with walls on every axis.
-TEST(RpyBox, SlopesAreDerivatives) {
-  const CollinearSwimmer swimmer = unequal_swimmer();
-  const BoxPlace place{walled_box(110, 90, 80), {45, 20, 33}};
-  const LineFlow flow = box_line_flow(place, swimmer.viscosity);
-  const LinePositions rest = rest_positions(swimmer, place);
-  const CollinearMobility here = rotne_prager_mobility(flow, swimmer, rest);
-  constexpr double h = 1e-3, truncation = 1e-7;
-  for (int k = 0; k < 3; ++k) {
-    LinePositions before = rest, after = rest;
-    before[k] -= h;
-    after[k] += h;
-    const Eigen::Matrix3d slope = (rotne_prager_mobility(flow, swimmer, after).value -
-                                   rotne_prager_mobility(flow, swimmer, before).value) /
-                                  (2 * h);
-    EXPECT_LT((here.slope[k] - slope).norm() / here.slope[k].norm(), truncation) << "bead " << k + 1;
-  }
-}
-
-TEST(RpyBox, UnboundedFlowGivesRotnePrager) {
-  constexpr double roundoff = 1e-15;
-  const CollinearSwimmer swimmer = unequal_swimmer();
-  const CollinearMobility open =
-      rotne_prager_mobility(LineFlow(swimmer.viscosity), swimmer, rest_positions(swimmer));
-  const CollinearMobility pairs = rest_mobility(swimmer, rotne_prager);
-  EXPECT_LT((open.value - pairs.value).norm(), roundoff);
-  for (int k = 0; k < 3; ++k) EXPECT_LT((open.slope[k] - pairs.slope[k]).norm(), roundoff);
-}
 
 // ---- Finite amplitude
 

@@ -5,70 +5,10 @@
 #include "beadswim/theory/methods.hpp"
 #include "swimmers.hpp"
 
-// Tests of symmetries that hold for every swimmer in Stokes flow, for every pair mobility.
+// Tests of symmetries that hold for every swimmer in Stokes flow at finite amplitude, for every pair mobility.
 
 namespace beadswim {
 namespace {
-
-constexpr double roundoff = 1e-12;  // relative
-
-class SwimmerSymmetry : public testing::TestWithParam<PairLaw> {};
-
-TEST_P(SwimmerSymmetry, MirroredSwimmerMovesTheOtherWay) {
-  const CollinearSwimmer swimmer = unequal_swimmer();
-  const double forward = perturbation_velocity(swimmer, GetParam());
-  EXPECT_NEAR(perturbation_velocity(mirrored(swimmer), GetParam()) / forward, -1, roundoff);
-}
-
-TEST_P(SwimmerSymmetry, OppositePhaseMovesEqualSwimmerTheOtherWay) {
-  CollinearSwimmer swimmer = paper_swimmer(2000);
-  const double forward = perturbation_velocity(swimmer, GetParam());
-  swimmer.phase = -swimmer.phase;
-  EXPECT_NEAR(perturbation_velocity(swimmer, GetParam()) / forward, -1, roundoff);
-}
-
-// Mirror-symmetric driving of a mirror-symmetric swimmer: its two arms change alike, one degree of freedom.
-TEST_P(SwimmerSymmetry, DoesNotMoveWhenDrivenInPhaseOrInAntiphase) {
-  for (const double phase : {0.0, std::numbers::pi}) {
-    CollinearSwimmer swimmer = paper_swimmer(2000);
-    const double scale = perturbation_velocity(swimmer, GetParam());
-    swimmer.phase = phase;
-    EXPECT_LT(std::abs(perturbation_velocity(swimmer, GetParam()) / scale), roundoff);
-  }
-}
-
-// Scallop theorem: with one arm held by an all but rigid spring, a single degree of freedom is left.
-TEST_P(SwimmerSymmetry, DoesNotMoveWithOneRigidArm) {
-  CollinearSwimmer swimmer = unequal_swimmer();
-  const double scale = perturbation_velocity(swimmer, GetParam());
-  swimmer.stiffness[1] = 1e9;
-  swimmer.damping[1] = 0;
-  constexpr double truncation = 1e-7;  // the arm still yields by F/k
-  EXPECT_LT(std::abs(perturbation_velocity(swimmer, GetParam()) / scale), truncation);
-}
-
-TEST_P(SwimmerSymmetry, VelocityIsQuadraticInTheDriving) {
-  CollinearSwimmer swimmer = unequal_swimmer();
-  const double velocity = perturbation_velocity(swimmer, GetParam());
-  for (double& amplitude : swimmer.amplitude) amplitude *= -3;
-  EXPECT_NEAR(perturbation_velocity(swimmer, GetParam()) / velocity, 9, 9 * roundoff);
-}
-
-TEST_P(SwimmerSymmetry, DoesNotDependOnUnits) {
-  const double length = 1e-6 / 4, time = 3e-7, mass = 5e-15;
-  const CollinearSwimmer swimmer = unequal_swimmer();
-  const CollinearMobility mobility = rest_mobility(swimmer, GetParam());
-  const SecondOrderMotion lattice = second_order_motion(swimmer, mobility);
-  const CollinearSwimmer converted = in_units(swimmer, length, time, mass);
-  const SecondOrderMotion si = second_order_motion(converted, rest_mobility(converted, GetParam()));
-  EXPECT_NEAR(si.velocity / (lattice.velocity * length / time), 1, roundoff);
-  EXPECT_NEAR(si.arm_changes[0] / (lattice.arm_changes[0] * length), 1, roundoff);
-  EXPECT_NEAR(si.stroke.amplitude[1] / (lattice.stroke.amplitude[1] * length), 1, roundoff);
-  EXPECT_NEAR(si.stroke.phase[1], lattice.stroke.phase[1], roundoff);
-}
-
-INSTANTIATE_TEST_SUITE_P(PairLaws, SwimmerSymmetry, testing::Values(oseen, rotne_prager),
-                         [](const auto& info) { return info.index == 0 ? "Oseen" : "RotnePrager"; });
 
 class FiniteAmplitudeSymmetry : public testing::TestWithParam<const char*> {
  protected:
