@@ -50,6 +50,8 @@ has_status 0
 check "the record is whole although the other streams are closed" test "$(jq -r .status record)" = finished
 check "the run's trajectory is whole" h5diff run.h5md full.h5md
 
+rest_is_long
+
 # --- inputs that are not there, or cannot be: no folder on the way, a name that is too long
 missing="nothing.json layout.json/x $(printf 'x%.0s' $(seq 300)).json"
 for file in $missing; do

@@ -15,6 +15,7 @@
 #   same_bytes A B           checks that two shell commands, given as text, write the same bytes, and not nothing
 #   stored_documents         copies the documents of tests/data/compare, and makes NAME_shorter_period.json of both, with another period
 #   skip REASON              ends the script as skipped, or as failed if BEADSWIM_NONE_SKIPPED is set
+#   rest_is_long             ends the script like finish, unless it runs as cli.NAME.long, a test that is labelled slow
 #   finish                   ends the script, with exit status 1 if a check failed; must be its last line
 #
 # Each script runs in an empty folder of its own, which is removed at the end.
@@ -119,6 +120,8 @@ skip() {
   [ -z "${BEADSWIM_NONE_SKIPPED:-}" ] || exit 1
   exit 77
 }
+
+rest_is_long() { [ -n "${BEADSWIM_LONG:-}" ] || finish; }
 
 finish() {
   check "checks below finish are never made" test "$(tail -n 1 "$this_script")" = finish

@@ -29,6 +29,8 @@ check 'the trace' holds -s '.[0].stage == "given" and .[0].velocity > 0 and (map
   and (map(select(.stage == "search")) | length > 50 and all(.feasible and (.study.phase | type == "number")))
   and (map(select(.stage == "search").velocity) | max) == (map(select(.stage == "range").velocity) + [.[0].velocity] | max)' trace.jsonl
 
+rest_is_long
+
 # With alpha = 0 it is proportional to W k/((k^2 + 4 W^2)(k^2 + 36 W^2)), W = pi eta omega lambda, greatest at
 # k^2 = W^2 (sqrt(3328) - 40)/6.
 run beadswim-optimise unequal.json --free stiffness=0.001:1 --maximise velocity --method oseen-force-closed

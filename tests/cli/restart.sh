@@ -110,6 +110,67 @@ run small 1 layout.json -o flow.h5md $resolution --cycles 1 --flow-every 1 --che
 run small 1 --restart flow.h5md --cycles 2
 listed 2
 
+# --- a damaged checkpoint is told from a whole one
+for slot in 0 1; do cp kept.h5md.ckpt.$slot hurt.h5md.ckpt.$slot; done
+newest=$(ls -t kept.h5md.ckpt.? | head -1)
+newest_whole=$newest
+newest=hurt.h5md.ckpt.${newest: -1}
+size=$(stat -c %s "$newest")
+printf '\x55' | dd of="$newest" bs=1 seek=$((size / 2)) conv=notrunc status=none
+run small 2 --restart "$newest" --cycles 4
+has_status 2
+err_has 'is damaged: its contents do not match the stored hash'
+run small 2 --restart hurt.h5md --cycles 3
+has_status 0
+err_has "$newest: the checkpoint is damaged.*continuing from the checkpoint hurt.h5md.ckpt.[01]"
+cp out hurt.json
+same_as whole hurt.json hurt.h5md
+head -c 5000 kept.h5md.ckpt.0 >cut.h5md.ckpt.0
+run small 2 --restart cut.h5md.ckpt.0 --cycles 4
+has_status 2
+
+# --- refusals
+refuses "--bead-boundary: the value psm of the flag differs from mr, the value in the run of the checkpoint; leave the flag out" \
+  beadswim-run --restart kept.h5md --cycles 9 --bead-boundary psm
+refuses '--cells-per-radius: the value 4 of the flag differs from 2, ' beadswim-run --restart kept.h5md --cycles 9 --cells-per-radius 4
+refuses '--precision: the value single of the flag differs from double, ' beadswim-run --restart kept.h5md --cycles 9 --precision single
+jq '.fluid.density = 1.01' layout.json >other.json
+refuses 'other.json: this layout is not the layout of the checkpoint' beadswim-run other.json --restart kept.h5md --cycles 9
+refuses '--cycles: the number of cycles, 1, is too small, because the checkpoint is already at cycle' beadswim-run --restart kept.h5md.ckpt.0 --cycles 1
+h5copy -i whole.h5md -o foreign.h5md -s /h5md -d /h5md
+cp foreign.h5md foreign.h5md.ckpt.0
+refuses 'foreign.h5md.ckpt.0: the file is an HDF5 file but not a checkpoint of Beadswim; name FILE.h5md.ckpt.0, FILE.h5md.ckpt.1' \
+  beadswim-run --restart foreign.h5md.ckpt.0
+rm foreign.h5md.ckpt.0
+refuses 'foreign.h5md has no checkpoint to continue from: neither foreign.h5md.ckpt.0 nor foreign.h5md.ckpt.1 exists and is valid' beadswim-run --restart foreign.h5md
+refuses '--restart: nothing.h5md has no checkpoint to continue from: .*; write checkpoints with --checkpoint-every' \
+  beadswim-run --restart nothing.h5md
+refuses 'nothing.h5md.ckpt.1 does not exist' beadswim-run --restart nothing.h5md.ckpt.1
+cp layout.json fake.h5md.ckpt.0
+refuses 'fake.h5md.ckpt.0: the file is not a checkpoint' beadswim-run --restart fake.h5md.ckpt.0
+cp whole.h5md fake.h5md.ckpt.1
+refuses 'fake.h5md.ckpt.1: the file is an HDF5 file but not a checkpoint of Beadswim' beadswim-run --restart fake.h5md.ckpt.1
+refuses '--output: the flag is missing; name the trajectory' beadswim-run layout.json
+refuses '--checkpoint-every' beadswim-run layout.json -o x.h5md --checkpoint-every 0
+accepts bash -c 'beadswim-run layout.json --restart kept.h5md -o same.h5md --cycles 3.1 --cells-per-radius 2.0 --progress none'
+
+# --- other spellings of a name are the same file: what a run goes on from stays until the next is whole
+cp "$newest_whole" spelt.h5md.ckpt.1
+run small 1 --restart ./spelt.h5md.ckpt.1 -o spelt.h5md --cycles 3.2 --checkpoint-every 1e20
+has_status 0
+check "the first checkpoint goes into the other slot, and there is one for the end alone" \
+  test -s spelt.h5md.ckpt.0 -a -s spelt.h5md.ckpt.1 -a ! -e spelt.h5md.ckpt.1.old
+check "what it went on from is as it was" cmp -s "$newest_whole" spelt.h5md.ckpt.1
+
+# --- a new run puts an older run's checkpoints aside, which a restart would take for its own
+cp kept.h5md.ckpt.1 older
+run small 1 layout.json -o kept.h5md $resolution --cycles 0.2
+has_status 0
+check "none are left, and nothing is lost" test ! -e kept.h5md.ckpt.0 -a ! -e kept.h5md.ckpt.1
+check "the older one is there" cmp -s older kept.h5md.ckpt.1.old
+
+rest_is_long
+
 # --- stopped on purpose: a checkpoint without having asked for any, exit status 4
 small 2 layout.json -o long.h5md $resolution --cycles 40 >long.json
 run beadswim-run layout.json -o timed.h5md $resolution --cycles 40 --time-limit 0.3 --progress none --no-provenance
@@ -187,25 +248,6 @@ check "it was killed more than once" test $kills -gt 1
 cp out killed.json
 same_as unbroken killed.json killed.h5md
 
-# --- a damaged checkpoint is told from a whole one
-for slot in 0 1; do cp kept.h5md.ckpt.$slot hurt.h5md.ckpt.$slot; done
-newest=$(ls -t kept.h5md.ckpt.? | head -1)
-newest_whole=$newest
-newest=hurt.h5md.ckpt.${newest: -1}
-size=$(stat -c %s "$newest")
-printf '\x55' | dd of="$newest" bs=1 seek=$((size / 2)) conv=notrunc status=none
-run small 2 --restart "$newest" --cycles 4
-has_status 2
-err_has 'is damaged: its contents do not match the stored hash'
-run small 2 --restart hurt.h5md --cycles 3
-has_status 0
-err_has "$newest: the checkpoint is damaged.*continuing from the checkpoint hurt.h5md.ckpt.[01]"
-cp out hurt.json
-same_as whole hurt.json hurt.h5md
-head -c 5000 kept.h5md.ckpt.0 >cut.h5md.ckpt.0
-run small 2 --restart cut.h5md.ckpt.0 --cycles 4
-has_status 2
-
 # --- a full disk: what is kept stays, and the run goes on when there is room
 cat >full.sh <<'FULL'
 mkdir full && mount -t tmpfs -o size=3m none full || exit 77
@@ -241,45 +283,5 @@ AGAIN
   has_status 3
   err_has 'cannot be copied to a file: No space left'
 done
-
-# --- refusals
-refuses "--bead-boundary: the value psm of the flag differs from mr, the value in the run of the checkpoint; leave the flag out" \
-  beadswim-run --restart kept.h5md --cycles 9 --bead-boundary psm
-refuses '--cells-per-radius: the value 4 of the flag differs from 2, ' beadswim-run --restart kept.h5md --cycles 9 --cells-per-radius 4
-refuses '--precision: the value single of the flag differs from double, ' beadswim-run --restart kept.h5md --cycles 9 --precision single
-jq '.fluid.density = 1.01' layout.json >other.json
-refuses 'other.json: this layout is not the layout of the checkpoint' beadswim-run other.json --restart kept.h5md --cycles 9
-refuses '--cycles: the number of cycles, 1, is too small, because the checkpoint is already at cycle' beadswim-run --restart kept.h5md.ckpt.0 --cycles 1
-h5copy -i whole.h5md -o foreign.h5md -s /h5md -d /h5md
-cp foreign.h5md foreign.h5md.ckpt.0
-refuses 'foreign.h5md.ckpt.0: the file is an HDF5 file but not a checkpoint of Beadswim; name FILE.h5md.ckpt.0, FILE.h5md.ckpt.1' \
-  beadswim-run --restart foreign.h5md.ckpt.0
-rm foreign.h5md.ckpt.0
-refuses 'foreign.h5md has no checkpoint to continue from: neither foreign.h5md.ckpt.0 nor foreign.h5md.ckpt.1 exists and is valid' beadswim-run --restart foreign.h5md
-refuses '--restart: nothing.h5md has no checkpoint to continue from: .*; write checkpoints with --checkpoint-every' \
-  beadswim-run --restart nothing.h5md
-refuses 'nothing.h5md.ckpt.1 does not exist' beadswim-run --restart nothing.h5md.ckpt.1
-cp layout.json fake.h5md.ckpt.0
-refuses 'fake.h5md.ckpt.0: the file is not a checkpoint' beadswim-run --restart fake.h5md.ckpt.0
-cp whole.h5md fake.h5md.ckpt.1
-refuses 'fake.h5md.ckpt.1: the file is an HDF5 file but not a checkpoint of Beadswim' beadswim-run --restart fake.h5md.ckpt.1
-refuses '--output: the flag is missing; name the trajectory' beadswim-run layout.json
-refuses '--checkpoint-every' beadswim-run layout.json -o x.h5md --checkpoint-every 0
-accepts bash -c 'beadswim-run layout.json --restart kept.h5md -o same.h5md --cycles 3.1 --cells-per-radius 2.0 --progress none'
-
-# --- other spellings of a name are the same file: what a run goes on from stays until the next is whole
-cp "$newest_whole" spelt.h5md.ckpt.1
-run small 1 --restart ./spelt.h5md.ckpt.1 -o spelt.h5md --cycles 3.2 --checkpoint-every 1e20
-has_status 0
-check "the first checkpoint goes into the other slot, and there is one for the end alone" \
-  test -s spelt.h5md.ckpt.0 -a -s spelt.h5md.ckpt.1 -a ! -e spelt.h5md.ckpt.1.old
-check "what it went on from is as it was" cmp -s "$newest_whole" spelt.h5md.ckpt.1
-
-# --- a new run puts an older run's checkpoints aside, which a restart would take for its own
-cp kept.h5md.ckpt.1 older
-run small 1 layout.json -o kept.h5md $resolution --cycles 0.2
-has_status 0
-check "none are left, and nothing is lost" test ! -e kept.h5md.ckpt.0 -a ! -e kept.h5md.ckpt.1
-check "the older one is there" cmp -s older kept.h5md.ckpt.1.old
 
 finish

@@ -160,6 +160,51 @@ PYTHON
   check "the page does not have the shapes" python3 page.py
 fi
 
+# --- what cannot treat the shape says what can
+refuses 'triangle.json: swimmers 0 and 1 differ, but a prediction is for one swimmer' beadswim-theory triangle.json
+jq '.types.triangle.beads += [{radius: 2, density: 1, at: [0, 20, 0]}] | .types.triangle.bonds += [{beads: [3, 4], stiffness: 1}]' triangle.json >four.json
+refuses 'four.json: swimmer 0 is not the paper.s .*, the only one that has a sketch; draw its beads and bonds with beadswim-plot swarm' beadswim-plot swimmer four.json
+
+# --- bad input
+bad() { # NAME JQ-FILTER REGEX
+  jq "$2" triangle.json >bad.json
+  refuses "bad.json:$3" beadswim-layout check bad.json
+}
+bad 'a bond to a bead that is not there' '.types[].bonds[0].beads = [1, 4]' '/types/triangle/bonds/0/beads/1: there is no bead 4; the type has 3 beads'
+bad 'a bond of a bead with itself' '.types[].bonds[1].beads = [2, 2]' '/types/triangle/bonds/1/beads: bead 2 is named twice'
+bad 'two bonds of the same beads' '.types[].bonds[2].beads = [2, 1]' '/types/triangle/bonds/2/beads: beads 2 and 1 are already joined by bond 1'
+bad 'an angle at a bead that is not there' '.types[].angles = [{beads: [1, 2, 5], stiffness: 1}]' '/types/triangle/angles/0/beads/2: there is no bead 5'
+bad 'an angle with a bead twice' '.types[].angles = [{beads: [1, 2, 1], stiffness: 1}]' '/types/triangle/angles/0/beads: bead 1 is named twice'
+bad 'two pieces' '.types[].bonds |= .[:1] | .types[].driving.bonds |= .[:1]' '/types/triangle/beads/2: no chain of bonds joins bead 3 to bead 1'
+bad 'beads that overlap at rest' '.types[].beads[2].at = [-8, 0, 0] | .types[].bonds[].rest_length = 16' '/types/triangle/beads/2/at: beads 1 and 3 overlap at rest'
+bad 'a drive of no bond' '.types[].driving.bonds[0].bond = 4' '/types/triangle/driving/bonds/0/bond: there is no bond 4; the type has 3 bonds'
+bad 'a drive of no angle' '.types[].driving.angles = [{angle: 1, rest: [{amplitude: 0.1}]}]' '/types/triangle/driving/angles/0/angle: there is no angle 1; the type has 0 angles'
+bad 'a drive of no bead' '.types[].driving.forces = [{bead: 9, direction: [1, 0, 0]}]' '/types/triangle/driving/forces/0/bead: there is no bead 9'
+bad 'a force along no direction' '.types[].driving.forces = [{bead: 1, direction: [0, 0, 0]}]' '/types/triangle/driving/forces/0/direction: the direction \(0, 0, 0\) has the length 0'
+bad 'forces that do not sum to zero' '.types[].driving.forces = [{bead: 1, direction: [1, 0, 0], harmonics: [{amplitude: 1}]}]' \
+  '/types/triangle/driving/forces: the forces with the multiple 1 do not sum to zero; the sum has the size 1: .*"net_force": "allowed"'
+bad 'constant forces that do not' '.types[].driving.forces = [{bead: 1, direction: [1, 0, 0], constant: 2}]' '/types/triangle/driving/forces: the constant forces do not sum to zero'
+bad 'own forces that do not' '.swimmers[1].driving.forces = [{bead: 1, direction: [1, 0, 0], constant: 2}]' '/swimmers/1/driving/forces: the constant forces'
+bad 'an orientation of no length' '.swimmers[1].orientation = [0, 0, 0, 0]' '/swimmers/1/orientation: the quaternion has the norm 0, but must have the norm 1'
+bad 'an axis and an orientation' '.swimmers[1].axis = [1, 0, 0]' '/swimmers/1/orientation: the swimmer has an axis and an orientation'
+bad 'a drive of a bond that changes nothing' 'del(.types[].driving.bonds[0].rest_length)' '/types/triangle/driving/bonds/0: a drive of a bond needs exactly one'
+bad 'own drives of bonds that are not there' '.types.rod = {beads: [range(2) | {radius: 4, density: 1, at: [(. * 16), 0, 0]}], bonds: [{beads: [1, 2], stiffness: 1}],
+  driving: {period: 1000}} | .swimmers[1] |= (.type = "rod" | .driving = {frame: "body", bonds: [{bond: 1, tension: [{amplitude: 1}]},
+  {bond: 2, tension: [{amplitude: -1, phase: 1}]}]})' '/swimmers/1/driving/bonds/1/bond: there is no bond 2; the type has 1 bonds'
+bad 'a rest length that falls to contact' '.types[].driving.bonds[0].rest_length[0].amplitude = 9' '/types/triangle/driving/bonds/0/rest_length: the rest length falls to 7'
+bad 'a bond that is torn at rest' '.types[].bonds[0].rest_length = 8.1 | .types[].beads[1].at[0] = 30' '/types/triangle/bonds/0/rest_length: beads 1 and 2 are 38 apart at rest'
+bad 'a rest angle below 0' '.types[].angles = [{beads: [1, 2, 3], stiffness: 1, rest: 0.3}] | .types[].driving.angles = [{angle: 1, rest: [{amplitude: 0.5}]}]' \
+  '/types/triangle/driving/angles/0: the rest angle 0.3 changes by up to 0.5'
+bad 'too many beads' '.types[].beads = [range(65) | {radius: 1, density: 1, at: [(. * 3), 0, 0]}]' '/types/triangle/beads: the array has 65 elements'
+bad 'a driven angle of beads in line' '.types.rod = {beads: [range(3) | {radius: 4, density: 1, at: [(. * 16), 0, 0]}],
+  bonds: [{beads: [1, 2], stiffness: 1}, {beads: [2, 3], stiffness: 1}], angles: [{beads: [1, 2, 3], stiffness: 9}],
+  driving: {period: 1000, angles: [{angle: 1, rest: [{amplitude: 0.1}]}]}}' '/types/rod/driving/angles/0: the three beads are in line at rest'
+bad 'a version to come' '.schema = "beadswim/layout/3"' '/schema: .*newer than this program, which reads version 2'
+bad 'a key of version 1' '.types[].springs = []' '/types/triangle/springs: unknown key'
+accepts bash -c "jq '.types[].driving.net_force = \"allowed\" | .types[].driving.forces = [{bead: 1, direction: [1, 0, 0], constant: 0.01}]' triangle.json | beadswim-layout check -"
+
+rest_is_long
+
 # --- the same triangles in the lattice: the same bits on any ranks and across a restart, and the rotation of a mobility model and more by inertia
 lattice=(--cells-per-radius 2 --relaxation-time 1 --progress none --no-provenance)
 run beadswim-run triangle.json -o lattice.h5md "${lattice[@]}" --cycles 1
@@ -279,49 +324,6 @@ for drive in 'prescribed-three-bead bonds/0/rest_length 6 6,4' 'purcell-chain an
   check "$kind: theory of a varied amplitude is another" holds --slurpfile made made.theory \
     '[.predictions[0], $made[0].predictions[0]] | map(.velocity_vector | map(. * .) | add | sqrt) | .[0] / .[1] - 1 | fabs < 1e-6' varied.theory
 done
-
-# --- what cannot treat the shape says what can
-refuses 'triangle.json: swimmers 0 and 1 differ, but a prediction is for one swimmer' beadswim-theory triangle.json
-jq '.types.triangle.beads += [{radius: 2, density: 1, at: [0, 20, 0]}] | .types.triangle.bonds += [{beads: [3, 4], stiffness: 1}]' triangle.json >four.json
-refuses 'four.json: swimmer 0 is not the paper.s .*, the only one that has a sketch; draw its beads and bonds with beadswim-plot swarm' beadswim-plot swimmer four.json
-
-# --- bad input
-bad() { # NAME JQ-FILTER REGEX
-  jq "$2" triangle.json >bad.json
-  refuses "bad.json:$3" beadswim-layout check bad.json
-}
-bad 'a bond to a bead that is not there' '.types[].bonds[0].beads = [1, 4]' '/types/triangle/bonds/0/beads/1: there is no bead 4; the type has 3 beads'
-bad 'a bond of a bead with itself' '.types[].bonds[1].beads = [2, 2]' '/types/triangle/bonds/1/beads: bead 2 is named twice'
-bad 'two bonds of the same beads' '.types[].bonds[2].beads = [2, 1]' '/types/triangle/bonds/2/beads: beads 2 and 1 are already joined by bond 1'
-bad 'an angle at a bead that is not there' '.types[].angles = [{beads: [1, 2, 5], stiffness: 1}]' '/types/triangle/angles/0/beads/2: there is no bead 5'
-bad 'an angle with a bead twice' '.types[].angles = [{beads: [1, 2, 1], stiffness: 1}]' '/types/triangle/angles/0/beads: bead 1 is named twice'
-bad 'two pieces' '.types[].bonds |= .[:1] | .types[].driving.bonds |= .[:1]' '/types/triangle/beads/2: no chain of bonds joins bead 3 to bead 1'
-bad 'beads that overlap at rest' '.types[].beads[2].at = [-8, 0, 0] | .types[].bonds[].rest_length = 16' '/types/triangle/beads/2/at: beads 1 and 3 overlap at rest'
-bad 'a drive of no bond' '.types[].driving.bonds[0].bond = 4' '/types/triangle/driving/bonds/0/bond: there is no bond 4; the type has 3 bonds'
-bad 'a drive of no angle' '.types[].driving.angles = [{angle: 1, rest: [{amplitude: 0.1}]}]' '/types/triangle/driving/angles/0/angle: there is no angle 1; the type has 0 angles'
-bad 'a drive of no bead' '.types[].driving.forces = [{bead: 9, direction: [1, 0, 0]}]' '/types/triangle/driving/forces/0/bead: there is no bead 9'
-bad 'a force along no direction' '.types[].driving.forces = [{bead: 1, direction: [0, 0, 0]}]' '/types/triangle/driving/forces/0/direction: the direction \(0, 0, 0\) has the length 0'
-bad 'forces that do not sum to zero' '.types[].driving.forces = [{bead: 1, direction: [1, 0, 0], harmonics: [{amplitude: 1}]}]' \
-  '/types/triangle/driving/forces: the forces with the multiple 1 do not sum to zero; the sum has the size 1: .*"net_force": "allowed"'
-bad 'constant forces that do not' '.types[].driving.forces = [{bead: 1, direction: [1, 0, 0], constant: 2}]' '/types/triangle/driving/forces: the constant forces do not sum to zero'
-bad 'own forces that do not' '.swimmers[1].driving.forces = [{bead: 1, direction: [1, 0, 0], constant: 2}]' '/swimmers/1/driving/forces: the constant forces'
-bad 'an orientation of no length' '.swimmers[1].orientation = [0, 0, 0, 0]' '/swimmers/1/orientation: the quaternion has the norm 0, but must have the norm 1'
-bad 'an axis and an orientation' '.swimmers[1].axis = [1, 0, 0]' '/swimmers/1/orientation: the swimmer has an axis and an orientation'
-bad 'a drive of a bond that changes nothing' 'del(.types[].driving.bonds[0].rest_length)' '/types/triangle/driving/bonds/0: a drive of a bond needs exactly one'
-bad 'own drives of bonds that are not there' '.types.rod = {beads: [range(2) | {radius: 4, density: 1, at: [(. * 16), 0, 0]}], bonds: [{beads: [1, 2], stiffness: 1}],
-  driving: {period: 1000}} | .swimmers[1] |= (.type = "rod" | .driving = {frame: "body", bonds: [{bond: 1, tension: [{amplitude: 1}]},
-  {bond: 2, tension: [{amplitude: -1, phase: 1}]}]})' '/swimmers/1/driving/bonds/1/bond: there is no bond 2; the type has 1 bonds'
-bad 'a rest length that falls to contact' '.types[].driving.bonds[0].rest_length[0].amplitude = 9' '/types/triangle/driving/bonds/0/rest_length: the rest length falls to 7'
-bad 'a bond that is torn at rest' '.types[].bonds[0].rest_length = 8.1 | .types[].beads[1].at[0] = 30' '/types/triangle/bonds/0/rest_length: beads 1 and 2 are 38 apart at rest'
-bad 'a rest angle below 0' '.types[].angles = [{beads: [1, 2, 3], stiffness: 1, rest: 0.3}] | .types[].driving.angles = [{angle: 1, rest: [{amplitude: 0.5}]}]' \
-  '/types/triangle/driving/angles/0: the rest angle 0.3 changes by up to 0.5'
-bad 'too many beads' '.types[].beads = [range(65) | {radius: 1, density: 1, at: [(. * 3), 0, 0]}]' '/types/triangle/beads: the array has 65 elements'
-bad 'a driven angle of beads in line' '.types.rod = {beads: [range(3) | {radius: 4, density: 1, at: [(. * 16), 0, 0]}],
-  bonds: [{beads: [1, 2], stiffness: 1}, {beads: [2, 3], stiffness: 1}], angles: [{beads: [1, 2, 3], stiffness: 9}],
-  driving: {period: 1000, angles: [{angle: 1, rest: [{amplitude: 0.1}]}]}}' '/types/rod/driving/angles/0: the three beads are in line at rest'
-bad 'a version to come' '.schema = "beadswim/layout/3"' '/schema: .*newer than this program, which reads version 2'
-bad 'a key of version 1' '.types[].springs = []' '/types/triangle/springs: unknown key'
-accepts bash -c "jq '.types[].driving.net_force = \"allowed\" | .types[].driving.forces = [{bead: 1, direction: [1, 0, 0], constant: 0.01}]' triangle.json | beadswim-layout check -"
 
 # --- a direction of any length, for the same force along it
 directed() { # X,Y,Z

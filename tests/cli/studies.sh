@@ -221,6 +221,8 @@ check 'only two were run' test "$(find . -name 'run-*.json' -newer mark | sort |
 run beadswim-run study.jsonl "${runs[@]}" --cycles 1 -o run-{}.h5md
 check 'other flags: run again' holds -s 'all(.swimmers[0].cycles | length == 1)' out
 
+rest_is_long
+
 # Groups of ranks give the same records.
 for ranks_and_group in '2 1' '2 2' '3 2'; do
   read -r ranks group <<<"$ranks_and_group"

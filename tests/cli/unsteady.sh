@@ -25,6 +25,8 @@ has_status 0
 check "motion at order 2 is that of theory" agrees inertia-corrected 0.01 0.001
 check "the record has the model's settings" holds '.model == "unsteady" and (.mobility | .multipole_order == 2 and .reynolds_stress and .residual < 1e-4 and .mesh_spacing <= 3.4)' out
 
+rest_is_long
+
 # --- repeated cells move like one cell: the mesh is fine enough for swarms, in which modes of the flow add up
 beadswim-layout swarm --preset paper-uniform --block-swimmers 1,3,3 --blocks 3,2,2 >swarm.json
 unsteady 2 swarm.json -o swarm.h5md --cycles 1 --multipole-order 1

@@ -2,6 +2,8 @@
 // boundary.
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/gather.hpp"
 #include "scenes.hpp"
@@ -90,18 +92,16 @@ std::string final_state(const CoupledScene& scene, const Communicator& communica
   return state_sha256(system, communicator);
 }
 
-// Catches a missing exchange, a sum whose order depends on ranks, a bead lost or counted twice at a seam.
+// Catches a missing exchange, a sum whose order depends on ranks, a bead lost or counted twice at a seam. Each scene has
+// all schemes, and each scheme has both precisions.
 TEST(Seams, GiveTheBitsOfOneRank) {
   const Communicator world(MPI_COMM_WORLD), self(MPI_COMM_SELF);
+  bool is_single = false;
   for (CoupledScene scene : {crossing_scene(), long_arms(), side_by_side(), cut_across_x(),
                              between_mirrors_along_x(), between_walls(), colliding(), towed()}) {
-    for (const auto& [precision, scheme] :
-         {std::pair{Precision::fp64, BeadScheme::staircase},
-          std::pair{Precision::fp32, BeadScheme::staircase}, std::pair{Precision::fp64, BeadScheme::cli},
-          std::pair{Precision::fp32, BeadScheme::cli}, std::pair{Precision::fp64, BeadScheme::mr},
-          std::pair{Precision::fp32, BeadScheme::mr}, std::pair{Precision::fp64, BeadScheme::psm},
-          std::pair{Precision::fp32, BeadScheme::psm}}) {
-      scene.precision = precision;
+    is_single = !is_single;
+    for (const BeadScheme scheme : all_values<BeadScheme>) {
+      scene.precision = std::exchange(is_single, !is_single) ? Precision::fp32 : Precision::fp64;
       scene.bead_boundary = scheme;
       const std::string cut = final_state(scene, world);
       if (world.is_root()) {
