@@ -1,6 +1,6 @@
 #!/bin/bash
-# Tests that each --flag that README.md and the pages in docs/ mention is a flag of a program of Beadswim, or one of a few known
-# flags of other software.
+# Tests that each --flag that README.md, the pages in docs/ and the texts of the sources mention is a flag of a program of Beadswim,
+# or one of a few known flags of other software.
 source "$(dirname "$0")/harness.sh"
 
 for program in layout run theory compare optimise plot view bench; do "beadswim-$program" --help; done >help
@@ -17,9 +17,13 @@ lengthy() { # lines beyond 100 columns, and flags with over two lines of text
 check "help is too long: $(lengthy | head -3)" test -z "$(lengthy)"
 flags help >known
 # Flags of scripts, cmake, srun, sbatch, mpirun, jq and beadswim-verification.
-printf '%s\n' --build --install --prefix --array --mpi --signal --oversubscribe --slurpfile --quiet --report --with-readers >>known
+printf '%s\n' --build --install --prefix --array --mpi --signal --oversubscribe --slurpfile --quiet --report --with-readers --list >>known
+# Of rsvg-convert, and wrong names of --beads, for which beadswim-layout has a message.
+printf '%s\n' --format --bead-count --num-beads --number-of-beads >>known
+python3 -B "$BEADSWIM_SOURCE/tests/docs/messages.py" "$BEADSWIM_SOURCE" --list >texts
+check "the sources have texts" test "$(wc -l <texts)" -gt 500
 
 while read -r flag; do
-  check "$flag, which a page names, is no flag of any program" grep -qx -- "$flag" known
-done < <(cd "$BEADSWIM_SOURCE" && flags README.md docs/*.md docs/*/*.md libs/*/README.md)
+  check "$flag, which a page or a message names, is no flag of any program" grep -qx -- "$flag" known
+done < <(cd "$BEADSWIM_SOURCE" && flags README.md docs/*.md docs/*/*.md libs/*/README.md "$OLDPWD/texts")
 finish

@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
-"""Checks that tests/docs/messages.txt lists all messages in the sources, and that docs/errors.md quotes no other messages.
+"""Checks the texts of the sources: each thrown message says what to do, and docs/errors.md quotes only texts that exist.
 
-    messages.py SOURCE-FOLDER            compares; exit status 1 if they differ
-    messages.py SOURCE-FOLDER --list     writes tests/docs/messages.txt
+    messages.py SOURCE-FOLDER            exit status 1 if there is a fault
+    messages.py SOURCE-FOLDER --list     prints all texts, to compare two revisions; page_flags.sh checks the flags in them
 
-A message is the text of the string literals in a statement that throws or prints an error, a warning or a notice, and in the functions
-of the files in SPEAKING, which return reasons. "…" stands for an inserted value; a setting is replaced by its flag, as in the programs.
-docs/errors.md quotes messages, or parts of them, in backticks in the first column of its tables.
+A text is what the string literals of one statement say. "…" stands for an inserted value; a setting is replaced by its flag, as in
+the programs. docs/errors.md quotes messages, or parts of them, in backticks in the first column of its tables.
 """
 
 import pathlib
@@ -16,21 +15,15 @@ import sys
 LITERAL = r'"(?:[^"\\\n]|\\.)*"'
 TOKEN = re.compile(r"//[^\n]*|/\*.*?\*/|" + LITERAL + r"|'(?:[^'\\\n]|\\.)+'", re.S)
 RUN = re.compile(r"(?:" + LITERAL + r"\s*)+")
-LOUD = re.compile(r"\bthrow\b|\bInputError\(|\brefuse\w*\(|\bfail\w*\(|\btell\(|\bfaults?\b|\blines\.push_back|\bmessages\.push_back|\bwarnings\.push_back|stderr|refused =")
-QUIET = re.compile(r"add_option|add_flag|->check|assert|validity|verdict|settings|notes")
-# Files whose functions return texts that other files throw or print.
-SPEAKING = {
-    "absent_features.cpp", "box_methods.cpp", "box_mobility.cpp", "closed_form_methods.cpp", "fault_message.cpp", "force_directions.cpp", "h5md.cpp", "inertia_methods.cpp",
-    "json_parse.cpp", "flag_values.cpp", "nearest_name.cpp", "overdamped_model.cpp", "plan_flags.cpp", "periodic_motion.cpp", "perturbation_methods.cpp", "planned_lattices.cpp",
-    "planned_scene.cpp", "program.cpp", "question.cpp", "run_loop.cpp", "run_plan.cpp", "schema_name.cpp", "surroundings.cpp",
-    "trajectory_reader.cpp", "value_fault.cpp", "warnings.cpp", "options.cpp", "flags.cpp",
-}
-# Parts of other messages, places at the beginning of a message, and messages of other libraries.
-SILENT = re.compile(
-    r"^(/|\{|--|one of$|or an object|Read more|beadswim-layout (reduce|swimmer)|beadswim-run: …$|Object |Failed to|Array should|Missing|Value type|Expected|[^ ]*$"
-    r"|of swimmer|bead … of|… at \(|predicted|\(4\.|exact |the layout's box|greater than$|at least$|less than$|at most$|must be$"
-    r"|line …|statistics of cycle|spheres (…|on)|flow on|mobility of near|box edge|no file$|one file$|command line$|RUN\.|open space"
-    r"|stroke fit|step … of|… of itself|a fault of the run|temporary file|its length along|the line at|through the periodic)"
+# What tells a user what to do or what is allowed.
+REMEDY = re.compile(
+    r";|\bmust\b|\bneed(s|ed)?\b|did you mean|Valid|Available|predictions have|verdict has|One of these|--help|\b(see|give|name|use|write|leave|reduce|join|add)\b|, each "
+)
+# Faults of files and processes, and texts to which the function that catches them adds the remedy.
+REMEDY_ELSEWHERE = re.compile(
+    r"cannot be (read|written|created|copied|replaced|started)|waiting for a process|HDF5|dataset|attribute|regular file|has the schema|built in"
+    r"|more than 256|leads to|not varied|is not a finite number|smaller than|no angle|too far apart|before or after the colon|is invalid$|verify"
+    r"|cannot (treat|run)|no method of theory|memory needs|only bend the swimmer|does not know the value|no model can run|presets belong"
 )
 
 
@@ -76,30 +69,22 @@ def joined(runs, text, flags):
     return messages
 
 
-def messages_of(path, flags):
-    text = without_comments(path.read_text())
+def statements(text):
+    """Yields the line and the code of each statement."""
+    text = without_comments(text)
     ends = [0] + [m.end() for m in re.finditer(r"(?<!')[;{}]\n|:\n", RUN.sub(lambda m: "_" * len(m.group()), text))] + [len(text)]
     for begin, end in zip(ends, ends[1:]):
-        statement = text[begin:end]
-        code = RUN.sub("", statement)
-        speaks = LOUD.search(code) or path.name in SPEAKING
-        if not speaks or re.search(r"\b(set_footer|begin_group|add_choice|add_switch|add_word|add_marks)\(", code):
-            continue
-        for start, words, _ in joined(RUN.finditer(statement), statement, flags):
-            words = " ".join(words.split()).strip(" :;,")
-            if QUIET.search(code) and not LOUD.search(code):
-                continue
-            if len(re.findall(r"[A-Za-z]{2,}", words)) >= 2 and not SILENT.match(words) and not re.search(r"[^.]\.$", words):
-                yield text.count("\n", 0, begin + start) + 1, words
+        yield text.count("\n", 0, begin) + 1, text[begin:end]
 
 
-def messages(root):
-    found = {}
-    flags = dict(re.findall(r'\{(Setting::\w+), "([^"]+)"\}', (root / "tools/common/src/flag_names.cpp").read_text()))
-    for path in sorted(p for f in ["libs", "tools"] for p in (root / f).rglob("*.[ch]pp")):
-        for line, words in messages_of(path, flags):
-            found.setdefault(words, f"{path.relative_to(root)}:{line}")
-    return found
+def texts(root):
+    """Returns place, texts of two words or more, and whether it throws, of each statement of the sources."""
+    sources = {p.relative_to(root): p.read_text() for f in ["libs", "tools"] for p in sorted((root / f).rglob("*.[ch]pp"))}
+    flags = dict(re.findall(r'\{(Setting::\w+), "([^"]+)"\}', "".join(sources.values())))
+    for path, source in sources.items():
+        for line, code in statements(source):
+            said = [" ".join(words.split()).strip(" :;,") for _, words, _ in joined(RUN.finditer(code), code, flags)]
+            yield f"{path}:{line}", [words for words in said if len(re.findall(r"[A-Za-z]{2,}", words)) >= 2], "throw " in RUN.sub("", code)
 
 
 def quotes(page):
@@ -111,19 +96,19 @@ def quotes(page):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    list_file, found = root / "tests/docs/messages.txt", messages(root)
+    found = list(texts(root))
+    said = sorted({words for _, all_words, _ in found for words in all_words})
     if "--list" in sys.argv:
-        list_file.write_text("".join(f"{words}\n" for words in sorted(found)))
+        print("\n".join(said))
         return 0
-    listed = set(list_file.read_text().splitlines())
-    faults = [f"new: {words} ({place})" for words, place in found.items() if words not in listed]
-    faults += [f"gone: {words}" for words in sorted(listed - set(found))]
-    if faults:
-        faults.append("tests/docs/messages.txt is stale; write it again: python3 -B tests/docs/messages.py . --list")
+    thrown = [(place, " ".join(words)) for place, words, throws in found if throws and len(" ".join(words).split()) > 4]
+    faults = [f"{place}: does not say what to do: {words}" for place, words in thrown if not REMEDY.search(words) and not REMEDY_ELSEWHERE.search(words)]
     for quote in quotes((root / "docs/errors.md").read_text()):
-        if not any(quote in words for words in found):
+        if not any(quote in words for words in said):
             faults.append(f"docs/errors.md quotes what no source says: {quote}")
-    print("\n".join(faults + [f"{len(found)} messages, {len(faults)} faults"]))
+    if len(thrown) < 100:
+        faults.append(f"only {len(thrown)} statements that throw were found")
+    print("\n".join(faults + [f"{len(said)} texts, {len(thrown)} statements that throw, {len(faults)} faults"]))
     return 1 if faults else 0
 
 
