@@ -27,7 +27,7 @@ RunTask lattice_task(double cycles) {
   Layout& layout = task.document.layout;
   layout.domain.box = Box{.lengths = {64, 32, 32}, .boundary = {}};
   layout.swimmers.front().position = {32, 16, 16};
-  for (auto& [name, type] : layout.types) type.driving.period = 200;
+  for (auto& [name, type] : layout.types) type.driving.period = 400;
   task.settings.lattice.cells_per_radius = 2;
   task.settings.lattice.relaxation_time = 1.5;
   return task;

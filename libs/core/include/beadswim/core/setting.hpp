@@ -110,9 +110,10 @@ void set_setting_names(std::string (*name)(Setting));
 }  // namespace beadswim
 
 template <>
-struct fmt::formatter<beadswim::Setting> : fmt::formatter<std::string> {
+struct fmt::formatter<beadswim::Setting> {
+  constexpr auto parse(fmt::format_parse_context& context) { return context.begin(); }
   template <typename Context>
   auto format(beadswim::Setting setting, Context& context) const {
-    return fmt::formatter<std::string>::format(beadswim::name_of(setting), context);
+    return fmt::format_to(context.out(), "{}", beadswim::name_of(setting));
   }
 };
