@@ -45,7 +45,7 @@ done
 scene_of_layout() { jq '{fluid, domain, types, swimmers}' "$1"; }
 check "the record has not the layout's scene" cmp -s <(jq .scene one.json) <(scene_of_layout swarm.json)
 beadswim-layout swarm --preset paper-uniform --blocks 1,5,13 --block-swimmers 1,1,1 >many.json
-run small 1 many.json --model oseen --tolerance 0.01 --cycles 0.02 -o many.h5md
+run small 1 many.json --model oseen --sum-tolerance 0.01 --cycles 0.02 -o many.h5md
 has_status 0
 check "the record of 65 swimmers has a scene" holds '.scene == null and .swimmers == null' out
 
@@ -79,30 +79,21 @@ check "the record reaches up to it" holds '.status == "failed" and .state_sha256
 
 # --- what the model cannot do
 beadswim-layout swimmer --preset paper-single --box 100,60,60 >box.json
-refuses '^beadswim-run: --cells-per-radius: the flag applies to the lattice only' beadswim-run open.json --model rpy -o x.h5md --cells-per-radius 3
-refuses '^beadswim-run: --flow-every: the flag applies to the lattice only' beadswim-run open.json --model oseen -o x.h5md --flow-every 1
-refuses '^beadswim-run: --sum-tolerance: the flag applies to mobility models only' \
+refuses '^beadswim-run: --cells-per-radius: the setting applies to the lattice only' beadswim-run open.json --model rpy -o x.h5md --cells-per-radius 3
+refuses '^beadswim-run: --flow-every: the setting applies to the lattice only' beadswim-run open.json --model oseen -o x.h5md --flow-every 1
+refuses '^beadswim-run: --sum-tolerance: the setting applies to mobility models only' \
   beadswim-run box.json --model lbm -o x.h5md --sum-tolerance 1e-3
 refuses '^beadswim-run: --sum-tolerance: .*0.5.* a number from 1e-12 to 0.01' \
   beadswim-run open.json --model rpy -o x.h5md --sum-tolerance 0.5
 
-refuses '^beadswim-run: --multipole-order: the flag applies to the models multipole and unsteady only' beadswim-run open.json --model rpy -o x.h5md --multipole-order 1
+refuses '^beadswim-run: --multipole-order: the setting applies to the models multipole and unsteady only' beadswim-run open.json --model rpy -o x.h5md --multipole-order 1
 refuses '^beadswim-run: --multipole-order: .*3.* 0 to 2' beadswim-run open.json --model multipole -o x.h5md --multipole-order 3
 
-# --- --tolerance, the former name of --sum-tolerance, where no plan is asked for
-run small 1 open.json --model rpy -o former.h5md --tolerance 1e-5 --cycles 0.2 --checkpoint-every 0.2
-has_status 0
-err_has '^beadswim-run: warning: the flag --tolerance is used as --sum-tolerance; with a mobility model write --sum-tolerance$'
-check "it is the sum's" holds '.mobility.tolerance == 1e-5' out
-refuses '^beadswim-run: --tolerance: .* a restart continues with its model and settings' \
-  beadswim-run --restart former.h5md --tolerance 1e-3 --cycles 1
-run small 1 --restart former.h5md --cycles 0.3
-check "a restart keeps it" holds '.mobility.tolerance == 1e-5' out
-refuses '^beadswim-run: --tolerance: the flag applies to --plan and --model auto only; leave it out$' \
-  beadswim-run box.json --model lbm -o x.h5md --tolerance 1e-3
-refuses '^beadswim-run: --tolerance: the flag applies to --plan and --model auto only; leave it out$' \
-  beadswim-run open.json --model rpy -o x.h5md --tolerance 1e-3 --sum-tolerance 1e-3
-refuses '^beadswim-run: --tolerance: .*0.5.* a number from 1e-12 to 0.01' beadswim-run open.json --model rpy -o x.h5md --tolerance 0.5
+# --- --tolerance is a plan's
+for model in lbm rpy; do
+  refuses '^beadswim-run: --tolerance: the flag applies to --plan and --model auto only; leave it out, or use --sum-tolerance$' \
+    beadswim-run open.json --model $model -o x.h5md --tolerance 1e-3
+done
 beadswim-layout swimmer --preset paper-single --box 100,60,60 --boundary no-slip >walls.json
 refuses 'walls.json:/domain/boundary/0: the boundary is no-slip' beadswim-run walls.json --model rpy -o x.h5md
 check "no file is left" test ! -e x.h5md

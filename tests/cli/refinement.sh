@@ -78,7 +78,7 @@ refuses 'refine: .*do not fit.*use at most 2' beadswim-run odd.json -o x.h5md $s
 refuses 'refine: .*coarsest would have only 25 steps per period; use at most 3' beadswim-run wide.json -o x.h5md $settings --refine 4
 refuses 'use off, auto, or the number of finer levels' beadswim-run wide.json -o x.h5md --refine few
 refuses 'use off, auto, or the number of finer levels, from 1 to 5' beadswim-run wide.json -o x.h5md --refine 6
-refuses 'refine: the flag applies to the lattice only' beadswim-run wide.json -o x.h5md --model rpy --refine 1
+refuses 'refine: the setting applies to the lattice only' beadswim-run wide.json -o x.h5md --model rpy --refine 1
 beadswim-layout swimmer --preset paper-single --box 160,96,96 --boundary no-slip --position 80,12,48 --period 400 >walled.json
 refuses 'refine: .*walls; use --refine off' beadswim-run walled.json -o x.h5md $settings --refine 1
 beadswim-layout shape sphere --radius 3 --force 2 --amplitude 0 --direction 1,0,0 --period 400 --viscosity 0.16666667 --density 1 \

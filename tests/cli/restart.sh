@@ -130,7 +130,7 @@ run small 2 --restart cut.h5md.ckpt.0 --cycles 4
 has_status 2
 
 # --- refusals
-refuses "--bead-boundary: the value psm of the flag differs from mr, the value in the run of the checkpoint; leave the flag out" \
+refuses "--bead-boundary: the value psm differs from mr, the value in the run of the checkpoint; leave it out" \
   beadswim-run --restart kept.h5md --cycles 9 --bead-boundary psm
 refuses '--cells-per-radius: the value 4 of the flag differs from 2, ' beadswim-run --restart kept.h5md --cycles 9 --cells-per-radius 4
 refuses '--precision: the value single of the flag differs from double, ' beadswim-run --restart kept.h5md --cycles 9 --precision single

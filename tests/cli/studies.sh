@@ -384,7 +384,7 @@ has_status 0
 err_has '1 of 2 documents of strong-runs.jsonl have no result'
 accepts beadswim-view strong-2.h5md -o strong.html
 refuses 'each of the 8 layouts needs a trajectory of its own; write \{\} once' beadswim-run study.jsonl "${runs[@]}" -o run.h5md
-refuses '--cells-per-radius: the flag applies to the lattice only' beadswim-run study.jsonl "${runs[@]}" --cells-per-radius 3 -o run-{}.h5md
+refuses '--cells-per-radius: the setting applies to the lattice only' beadswim-run study.jsonl "${runs[@]}" --cells-per-radius 3 -o run-{}.h5md
 refuses '--ranks-per-run: 2 is more than the 1 ranks' beadswim-run study.jsonl "${runs[@]}" --ranks-per-run 2 -o run-{}.h5md
 refuses 'invalid.jsonl line 4: the object lacks the key "fluid"' beadswim-run invalid.jsonl "${runs[@]}" -o invalid-{}.h5md
 check 'nothing was run' test ! -e invalid-1.h5md

@@ -80,8 +80,8 @@ run beadswim-run swarm.json --model unsteady --multipole-order 1 --plan --tolera
 check "a plan has the order asked for" holds '[.runs[].flags] == ["--model unsteady --multipole-order 1"]' out
 
 # --- limits: each names a model that can
-refuses '^beadswim-run: --reynolds-stress: the flag applies to the model unsteady only' beadswim-run swarm.json --model rpy -o x.h5md --reynolds-stress off
-refuses '^beadswim-run: --reynolds-stress: the flag applies to mobility models only' beadswim-run swarm.json --model lbm -o x.h5md --reynolds-stress off
+refuses '^beadswim-run: --reynolds-stress: the setting applies to the model unsteady only' beadswim-run swarm.json --model rpy -o x.h5md --reynolds-stress off
+refuses '^beadswim-run: --reynolds-stress: the setting applies to mobility models only' beadswim-run swarm.json --model lbm -o x.h5md --reynolds-stress off
 limit() { # REGEX JQ-PROGRAM
   jq "$2" swarm.json >limit.json
   refuses "^beadswim-run: limit.json: $1" beadswim-run limit.json --model unsteady -o x.h5md

@@ -3,14 +3,14 @@
 #include <filesystem>
 
 #include "accepted.hpp"
+#include "beadswim/run/checkpoints.hpp"
 #include "checkpoint_edits.hpp"
-#include "checkpoints.hpp"
-#include "command_line/request.hpp"
+#include "checkpoint_writer.hpp"
 #include "memory_file.hpp"
 #include "one_rank.hpp"
 #include "run_setup.hpp"
 
-// Fuzz target: beadswim-run --restart with checkpoints that have a correct hash, but contents that no run has
+// Fuzz target: restarts of runs with checkpoints that have a correct hash, but contents that no run has
 // written. The bytes select the changes of the contents. The run must continue, or report why it cannot
 // continue.
 
@@ -34,32 +34,9 @@ const Folder& folder() {
   return one;
 }
 
-Request request_of(std::vector<std::string> arguments) {
-  std::vector<char*> pointers;
-  arguments.insert(arguments.begin(), "beadswim-run");
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  return std::get<Request>(read_request(static_cast<int>(pointers.size()), pointers.data(), one_rank()));
-}
-
 bool is_small(const ModelPlan& plan) {
   return plan.updates_per_step.value_or(0) <= most_cells && plan.swimmers.size() <= most_swimmers &&
          plan.steps_per_cycle < 100000;
-}
-
-/// Performs some steps of a new run, and returns the contents of the checkpoint that the run writes.
-CheckpointContents contents_after(const std::vector<std::string>& arguments, CheckpointContents contents) {
-  const Request request = request_of(arguments);
-  const LayoutDocument document = read_layout(request.options.layouts.front());
-  const auto plan = plan_for(document, request, one_rank());
-  const auto model = plan->make(0);
-  TrajectoryWriter trajectory(request.options.output, header_of(document, *plan), one_rank());
-  Recorder recorder(*plan, document.layout, trajectory, one_rank());
-  Checkpoints checkpoints(plan->options, dump_json(layout_to_json(document)), "", one_rank());
-  Progress progress(ProgressStyle::none, 0, 1, 1, plan->updates_per_step);
-  const RunParts parts{0, one_rank(), *plan, *model, trajectory, recorder, checkpoints, progress};
-  require(run_to_end(parts, std::nullopt).status == RunStatus::finished, "the run gets to its end");
-  contents.read(CheckpointReader(checkpoints.last(), one_rank()));
-  return contents;
 }
 
 std::string layout_file(const std::string& box) {
@@ -77,12 +54,36 @@ std::string layout_file(const std::string& box) {
   return path;
 }
 
+/// Performs some steps of a new run, and returns the contents of the checkpoint that the run writes.
+CheckpointContents contents_after(const std::string& box, const RunSettings& settings,
+                                  CheckpointContents contents) {
+  RunTask task{.document = read_layout(layout_file(box)),
+               .settings = settings,
+               .source = "layout",
+               .trajectory = folder().file("run.h5md")};
+  const auto plan = plan_for(task, one_rank());
+  const RunResult result = run(task, *plan, {}, one_rank());
+  require(result.record.status == RunStatus::finished, "the run gets to its end");
+  contents.read(CheckpointReader(result.last_checkpoint, one_rank()));
+  return contents;
+}
+
+RunSettings short_run(RunModel model) {
+  RunSettings settings;
+  settings.model = model;
+  settings.cycles = 0.7;
+  settings.frames_per_cycle = 4;
+  settings.checkpoint_every = 9;
+  settings.mobility.steps_per_cycle = 20;
+  settings.lattice.cells_per_radius = 2;
+  return settings;
+}
+
 const CheckpointContents& mobility_run() {
   static const CheckpointContents contents =
-      contents_after({layout_file("null"), "-o", folder().file("rpy.h5md"), "--model", "rpy", "--cycles",
-                      "0.7", "--steps-per-cycle", "20", "--frames-per-cycle", "4", "--checkpoint-every", "9"},
+      contents_after("null", short_run(RunModel::rpy),
                      {.sections = {{"program", ""},
-                                   {"flags", ""},
+                                   {"settings", ""},
                                    {"layout", ""},
                                    {"moment", ""},
                                    {"overdamped", ""},
@@ -93,11 +94,10 @@ const CheckpointContents& mobility_run() {
 
 const CheckpointContents& lattice_run() {
   static const CheckpointContents contents =
-      contents_after({layout_file(R"({"lengths":[24,12,12],"boundary":["periodic","periodic","periodic"]})"),
-                      "-o", folder().file("lbm.h5md"), "--cells-per-radius", "2", "--cycles", "0.7",
-                      "--frames-per-cycle", "4", "--checkpoint-every", "9"},
+      contents_after(R"({"lengths":[24,12,12],"boundary":["periodic","periodic","periodic"]})",
+                     short_run(RunModel::lbm),
                      {.sections = {{"program", ""},
-                                   {"flags", ""},
+                                   {"settings", ""},
                                    {"layout", ""},
                                    {"moment", ""},
                                    {"swimmers", ""},
@@ -108,21 +108,26 @@ const CheckpointContents& lattice_run() {
   return contents;
 }
 
-/// Continues from a checkpoint as main() of the program does before its time loop, and performs two time
-/// steps.
-void go_on_from(const std::string& checkpoint) {
-  Request request = request_of({"--restart", checkpoint, "--progress", "none"});
-  const LayoutDocument document = read_layout(request, std::nullopt);
-  const auto plan = plan_for(document, request, one_rank());
+/// Continues from a checkpoint as run() does before its time loop, and performs two time steps.
+void go_on_from(const std::string& path) {
+  RunTask task;
+  task.checkpoint = open_checkpoint(path, {}, one_rank());
+  const CheckpointReader& checkpoint = *task.checkpoint;
+  task.document = layout_from_json(parse_json(layout_of(checkpoint), "layout"), "layout");
+  task.settings = settings_of(checkpoint);
+  task.trajectory = trajectory_of(path);
+  task.steps_done = steps_done_in(checkpoint);
+  const auto plan = plan_for(task, one_rank());
   if (!is_small(*plan)) return;
-  const auto model = plan->make(0);
-  TrajectoryWriter trajectory(request.options.output, header_of(document, *plan), one_rank(),
-                              request.checkpoint.get());
-  Recorder recorder(*plan, document.layout, trajectory, one_rank());
-  const RunHistory history = restore(*model, recorder, *request.checkpoint, one_rank());
+  const auto model = plan->make(task.trajectory, 0);
+  TrajectoryWriter trajectory(task.trajectory, header_of(task.document, *plan), one_rank(), &checkpoint);
+  Recorder recorder(*plan, task.document.layout, &trajectory, one_rank());
+  Checkpoints checkpoints(task, *plan, one_rank());
+  const RunHistory history =
+      restore({one_rank(), *plan, {}, *model, &trajectory, recorder, checkpoints}, checkpoint);
   require(history.steps_done == model->steps_done() && history.steps_done >= 0,
           "the run goes on at its step");
-  const std::vector<char> record = request.checkpoint->bytes("record", 0, request.checkpoint->size("record"));
+  const std::vector<char> record = checkpoint.bytes("record", 0, checkpoint.size("record"));
   require(recorder.state() == record, "the record is as it was");
   for (int n = 0; n < 2 && !model->fault(); ++n) {
     model->step();
