@@ -80,7 +80,8 @@ def statements(text):
 def texts(root):
     """Returns place, texts of two words or more, and whether it throws, of each statement of the sources."""
     sources = {p.relative_to(root): p.read_text() for f in ["libs", "tools"] for p in sorted((root / f).rglob("*.[ch]pp"))}
-    flags = dict(re.findall(r'\{(Setting::\w+), "([^"]+)"\}', "".join(sources.values())))
+    names = re.findall(r'\{(Setting::\w+), "([^"]+)"\}', "".join(sources.values()))  # in words, and then special flags
+    flags = {s: name if "-" in name else "--" + name.removeprefix("the ").lower().replace(" ", "-") for s, name in names}
     for path, source in sources.items():
         for line, code in statements(source):
             said = [" ".join(words.split()).strip(" :;,") for _, words, _ in joined(RUN.finditer(code), code, flags)]
