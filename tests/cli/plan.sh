@@ -103,7 +103,7 @@ check "memory and output are within a third" holds 'all(. > 0.67 and . < 1.5)' s
 
 # --- a scene that no model can run: the message has every reason
 beadswim-layout swimmer --preset paper-single --unbounded --amplitude 3 >strong.json
-refuses 'no model can run this scene with these flags\. --model oseen.*reduce --amplitude.*--model lbm.*lattice needs a box' \
+refuses 'no model can run this scene with these settings\. --model oseen.*reduce --amplitude.*--model lbm.*lattice needs a box' \
   beadswim-run strong.json -o strong.h5md --model auto --tolerance 0.1
 
 # --- a small driving, slowly: a mobility model does, and its sums keep a tolerance of their own

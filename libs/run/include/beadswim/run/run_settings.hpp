@@ -132,6 +132,16 @@ struct RunSettings {
                      .low = 0.5,
                      .too_low = "the viscosity (tau - 1/2)/3 would not be positive; values from 0.6 to 1.5 work well",
                      .is_always_named = true});
+    visit("precision", lattice.precision,
+          SettingRow{.setting = Setting::precision,
+                     .scope = Scope::lattice,
+                     .help = "Floating-point precision of the fluid populations; single needs half the memory and "
+                             "a little over half the time"});
+    visit("bead_boundary", lattice.bead_boundary,
+          SettingRow{.setting = Setting::bead_boundary,
+                     .scope = Scope::lattice,
+                     .help = "No-slip condition on beads: staircase (half-way bounce-back), cli (linear "
+                             "interpolation), mr (multireflection), psm (partially saturated cells)"});
     visit("refinement", lattice.refinement,
           SettingRow{.setting = Setting::refinement,
                      .scope = Scope::lattice,
@@ -142,11 +152,6 @@ struct RunSettings {
                      .high = max_finer_levels,
                      .word_of_none = "auto",
                      .word_of_zero = "off"});
-    visit("bead_boundary", lattice.bead_boundary,
-          SettingRow{.setting = Setting::bead_boundary,
-                     .scope = Scope::lattice,
-                     .help = "No-slip condition on beads: staircase (half-way bounce-back), cli (linear "
-                             "interpolation), mr (multireflection), psm (partially saturated cells)"});
     visit("delay_correction", lattice.delay_correction,
           SettingRow{.setting = Setting::delay_correction,
                      .scope = Scope::lattice,
@@ -168,11 +173,6 @@ struct RunSettings {
                      .value = "MU",
                      .help = "Coefficient of Coulomb friction between beads in contact [1]",
                      .allows_low = true});
-    visit("precision", lattice.precision,
-          SettingRow{.setting = Setting::precision,
-                     .scope = Scope::lattice,
-                     .help = "Floating-point precision of the fluid populations; single needs half the memory and "
-                             "a little over half the time"});
     visit("checkpoint_every", checkpoint_every,
           SettingRow{.setting = Setting::checkpoint_every,
                      .group = Group::checkpoints,
