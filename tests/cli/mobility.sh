@@ -61,7 +61,7 @@ for model in multipole rpy+near; do
   check "the record of $model is that of an unbroken run" cmp -s out whole.json
   check "all datasets of $model are those of an unbroken run" h5diff whole.h5md part.h5md
 done
-refuses '^beadswim-run: --model: the value lbm of the flag differs from rpy\+near, ' beadswim-run --restart part.h5md --model lbm --cycles 3
+refuses '^beadswim-run: --model: the value lbm differs from rpy\+near, ' beadswim-run --restart part.h5md --model lbm --cycles 3
 
 # --- beads that are driven together repel each other, and the run says so
 beadswim-layout swimmer --preset paper-single --unbounded --arm 14 --amplitude 0.4 >close.json

@@ -76,8 +76,8 @@ check 'and their list' test "$(grep -c 'part="1"' whole.h5md.flow.pvd)" -eq 4
 beadswim-layout swimmer --preset paper-single --box 264,192,192 --boundary periodic --position 120,96,96 --period 4800 >odd.json
 refuses 'refine: .*do not fit.*use at most 2' beadswim-run odd.json -o x.h5md $settings --refine 3
 refuses 'refine: .*coarsest would have only 25 steps per period; use at most 3' beadswim-run wide.json -o x.h5md $settings --refine 4
-refuses 'use off, auto, or the number of finer levels' beadswim-run wide.json -o x.h5md --refine few
-refuses 'use off, auto, or the number of finer levels, from 1 to 5' beadswim-run wide.json -o x.h5md --refine 6
+refuses 'use off, auto, or a whole number' beadswim-run wide.json -o x.h5md --refine few
+refuses 'use off, auto, or a whole number from 1 to 5' beadswim-run wide.json -o x.h5md --refine 6
 refuses 'refine: the setting applies to the lattice only' beadswim-run wide.json -o x.h5md --model rpy --refine 1
 beadswim-layout swimmer --preset paper-single --box 160,96,96 --boundary no-slip --position 80,12,48 --period 400 >walled.json
 refuses 'refine: .*walls; use --refine off' beadswim-run walled.json -o x.h5md $settings --refine 1
