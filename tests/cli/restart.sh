@@ -132,8 +132,8 @@ has_status 2
 # --- refusals
 refuses "--bead-boundary: the value psm differs from mr, the value in the run of the checkpoint; leave it out" \
   beadswim-run --restart kept.h5md --cycles 9 --bead-boundary psm
-refuses '--cells-per-radius: the value 4 of the flag differs from 2, ' beadswim-run --restart kept.h5md --cycles 9 --cells-per-radius 4
-refuses '--precision: the value single of the flag differs from double, ' beadswim-run --restart kept.h5md --cycles 9 --precision single
+refuses '--cells-per-radius: the value 4 differs from 2, ' beadswim-run --restart kept.h5md --cycles 9 --cells-per-radius 4
+refuses '--precision: the value single differs from double, ' beadswim-run --restart kept.h5md --cycles 9 --precision single
 jq '.fluid.density = 1.01' layout.json >other.json
 refuses 'other.json: this layout is not the layout of the checkpoint' beadswim-run other.json --restart kept.h5md --cycles 9
 refuses '--cycles: the number of cycles, 1, is too small, because the checkpoint is already at cycle' beadswim-run --restart kept.h5md.ckpt.0 --cycles 1

@@ -110,7 +110,12 @@ RunRecord run_alone(RunTask task, const RunOptions& options, double start, const
   if (communicator.is_root()) {
     progress.finish(result.steps_done);
     result.record.provenance->push_back(options.provenance);
-    write_text("-", dump_json(run_record_to_json(result.record, options.record_provenance())));
+    try {
+      write_text("-", dump_json(run_record_to_json(result.record, options.record_provenance())));
+    } catch (...) {
+      print_restart_flag(result.last_checkpoint, task.trajectory);
+      throw;
+    }
     warn(result.late_warnings);
     const RunStatus status = result.record.status;
     if (status == RunStatus::stopped_time || status == RunStatus::stopped_signal)
