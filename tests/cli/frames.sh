@@ -68,10 +68,10 @@ restart() { # NAME RANKS FLAG...
 }
 restart seven 2 $lattice --frames-per-cycle 17
 restart ninety 1 --model rpy --steps-per-cycle 90
-refuses '^beadswim-run: --steps-per-cycle: the value 100 of the flag differs from 90, ' \
+refuses '^beadswim-run: --steps-per-cycle: the value 100 differs from 90, ' \
   beadswim-run --restart part.h5md --steps-per-cycle 100 --cycles 3
 run small 1 layout.json -o part.h5md --model rpy --cycles 0.5 --checkpoint-every 0.5
-refuses '^beadswim-run: --steps-per-cycle: the value 100 of the flag differs from the default, ' \
+refuses '^beadswim-run: --steps-per-cycle: the value 100 differs from the default, ' \
   beadswim-run --restart part.h5md --steps-per-cycle 100 --cycles 3
 
 finish
