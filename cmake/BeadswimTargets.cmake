@@ -53,7 +53,7 @@ function(beadswim_share_headers target family)
 endfunction()
 
 set(numerics_headers <algorithm> <array> <cmath> <complex> <functional> <map> <memory> <optional> <span> <string>
-    <variant> <vector> <fmt/format.h> <Eigen/Dense>)
+    <variant> <vector> <fmt/core.h> <Eigen/Dense>)
 beadswim_header_family(numerics HEADERS ${numerics_headers} DEPENDS Eigen3::Eigen fmt::fmt)
 if(BUILD_TESTING)
   beadswim_header_family(tests HEADERS ${numerics_headers} <random> <gtest/gtest.h> <gmock/gmock.h>

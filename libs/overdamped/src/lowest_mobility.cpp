@@ -1,12 +1,12 @@
 #include "lowest_mobility.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "bead_vectors.hpp"
 #include "beadswim/core/cell_list.hpp"
+#include "beadswim/core/dense_systems.hpp"
 
 namespace beadswim {
 
@@ -41,10 +41,9 @@ std::optional<std::size_t> find_reversed_bead(const MobilityProduct& mobility,
     Eigen::VectorXd next = flat(velocities).cwiseQuotient(root_mobility);
     projected.col(k).head(k + 1) = basis.transpose() * next;
     for (int pass = 0; pass < 2; ++pass) next -= basis * (basis.transpose() * next);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> small(
-        projected.topLeftCorner(k + 1, k + 1).selfadjointView<Eigen::Upper>());
-    mode = basis * small.eigenvectors().col(0);
-    ritz = {small.eigenvalues()[0], next.norm() * std::abs(small.eigenvectors()(k, 0))};
+    const SymmetricModes small(projected.topLeftCorner(k + 1, k + 1).transpose());
+    mode = basis * small.vectors.col(0);
+    ritz = {small.values[0], next.norm() * std::abs(small.vectors(k, 0))};
     MPI_Bcast(ritz.data(), 2, MPI_DOUBLE, 0, communicator.get());  // all ranks must make the same decision
     if (!(ritz[0] > 0 && ritz[1] > converged * ritz[0]) || k + 1 == most) break;
     basis.conservativeResize(Eigen::NoChange, k + 2);

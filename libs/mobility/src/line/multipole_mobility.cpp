@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 #include <string>
 
+#include "beadswim/core/dense_systems.hpp"
 #include "beadswim/core/error.hpp"
 #include "multipole_line.hpp"
 
@@ -77,10 +77,10 @@ System assemble(const Line& line) {
 }
 
 Solution solve(const Line& line, const System& system) {
-  const Eigen::PartialPivLU<MatrixXd> lu(system.matrix);
   MatrixXd strengths = MatrixXd::Zero(line.unknowns(), line.size());
   for (int i = 0; i < line.size(); ++i) strengths(line.start[i], i) = 1;
-  return {.own = lu.solve(system.drive), .adjoint = lu.transpose().solve(strengths)};
+  const PairedSolutions solutions = solve_both(system.matrix, system.drive, strengths);
+  return {.own = solutions.direct, .adjoint = solutions.transposed};
 }
 
 /// Returns -8 pi eta a for each sphere of radius a in a fluid of dynamic viscosity eta. This factor times the
@@ -99,7 +99,7 @@ MatrixXd symmetric_part(const MatrixXd& matrix) {
 MatrixXd mobility_of(const Line& line, const Solution& flow, const VectorXd& force) {
   MatrixXd resistance(line.size(), line.size());
   for (int i = 0; i < line.size(); ++i) resistance.row(i) = force[i] * flow.own.row(line.start[i]);
-  return symmetric_part(resistance.inverse());
+  return symmetric_part(inverse(resistance));
 }
 
 /// Returns the derivatives of the multipole coefficients A_0 of all spheres (rows) by the offset of the

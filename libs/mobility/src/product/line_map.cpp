@@ -1,9 +1,8 @@
 #include "beadswim/mobility/line_map.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <cmath>
 
+#include "beadswim/core/dense_systems.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 
 namespace beadswim {
@@ -27,16 +26,14 @@ MatrixXd zero_sum_basis(Eigen::Index n) {
 /// Returns the forces of sum 1 under which all spheres have the same velocity, for the mobility matrix
 /// `mobility`.
 VectorXd uniform_velocity_forces(const MatrixXd& mobility) {
-  const VectorXd forces = mobility.inverse() * VectorXd::Ones(mobility.rows());
+  const VectorXd forces = inverse(mobility) * VectorXd::Ones(mobility.rows());
   return forces / forces.sum();
 }
 
 /// Returns the geometric mean G = A^-1 # X, which is the positive definite solution of G A G = X.
 MatrixXd riccati_root(const MatrixXd& a, const MatrixXd& x) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_a(a);
-  const MatrixXd root = of_a.operatorSqrt(), inverse_root = of_a.operatorInverseSqrt();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_product(root * x * root);
-  return inverse_root * of_product.operatorSqrt() * inverse_root;
+  const MatrixRoot of_a(a), of_product(of_a.root * x * of_a.root);
+  return of_a.inverse * of_product.root * of_a.inverse;
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/QR>
 #include <algorithm>
+
+#include "beadswim/core/dense_systems.hpp"
 
 namespace beadswim {
 
@@ -24,7 +25,7 @@ class AndersonMixing {
     last_change_ = change;
     last_mapped_ = mapped;
     if (steps_++ == 0) return mapped;
-    return mapped - images_ * changes_.colPivHouseholderQr().solve(change);
+    return mapped - images_ * least_squares(changes_, change);
   }
 
  private:

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "beadswim/core/dense_systems.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/core/trigonometric_nodes.hpp"
@@ -101,7 +102,7 @@ class HarmonicBalance {
       jacobian.block<1, 3>(unknowns - 1, 3 * n) = beads_.colwise().sum() / nodes_;
     }
     residual[unknowns - 1] = (beads_ * motion).sum() / nodes_;
-    return jacobian.partialPivLu().solve(residual);
+    return solve(jacobian, residual);
   }
 
   /// Returns the velocity V = -<sum_k (w_k(x) - w_k(X)) dp_k/dt> (periodic_motion.hpp) [length/time].

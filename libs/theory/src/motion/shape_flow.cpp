@@ -1,10 +1,9 @@
 #include "shape_flow.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
+#include "beadswim/core/dense_systems.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/wall_mobility.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
@@ -61,7 +60,7 @@ ShapeFlow::ShapeFlow(const ShapedSwimmer& swimmer, PairTensorLaw law)
 }
 
 void ShapeFlow::require_positive_mobility(const BeadVectors& beads) const {
-  if (law_ != oseen_pairs || mobility(beads).llt().info() == Eigen::Success) return;  // others always are
+  if (law_ != oseen_pairs || is_positive_definite(mobility(beads))) return;  // others always are
   throw InputError("stroke",
                    "the mobility by the Oseen tensor is not positive definite: forces would move beads "
                    "backwards, because beads are too close to each other or to the wall; use a method with "
@@ -95,7 +94,7 @@ Eigen::VectorXd ShapeFlow::velocities(const BeadVectors& beads, double time) con
       undamped.segment<3>(3 * b) += swimmer_.flow.at(beads.col(b) + swimmer_.place);
   if (!is_damped_) return undamped;
   const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(mu.rows(), mu.cols());
-  return (unit + mu * damping(beads)).partialPivLu().solve(undamped);
+  return solve(unit + mu * damping(beads), undamped);
 }
 
 Eigen::MatrixXd ShapeFlow::relaxation(const BeadVectors& beads, double time) const {
@@ -103,13 +102,13 @@ Eigen::MatrixXd ShapeFlow::relaxation(const BeadVectors& beads, double time) con
   const Eigen::MatrixXd undamped = -mu * own_stiffness<Eigen::Dynamic>(swimmer_.type, time, beads);
   if (!is_damped_) return undamped;
   const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(mu.rows(), mu.cols());
-  return (unit + mu * damping(beads)).partialPivLu().solve(undamped);
+  return solve(unit + mu * damping(beads), undamped);
 }
 
 double towing_drag(const ShapedSwimmer& swimmer, const BeadVectors& shape, const Vec3& axis,
                    PairTensorLaw law) {
   const Eigen::VectorXd along = axis.replicate(shape.cols(), 1);
-  return along.dot(ShapeFlow(swimmer, law).mobility(shape).ldlt().solve(along));
+  return along.dot(solve_definite(ShapeFlow(swimmer, law).mobility(shape), along));
 }
 
 }  // namespace beadswim

@@ -2,8 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <boost/math/special_functions/sinc.hpp>
@@ -12,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "beadswim/core/dense_systems.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/trigonometric_nodes.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
@@ -62,15 +61,14 @@ FreeMotions free_motions(const BeadVectors& shape, const MatrixXd& stiffness) {
       rigid.col(3 + r).segment<3>(3 * b) = motions.axes[r].cross(Vec3(shape.col(b)));
   }
   // Free deformations span the kernel of the stiffness, without the rigid motions in it.
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(stiffness);
-  const MatrixXd basis =
-      rigid.householderQr().householderQ() * MatrixXd::Identity(shape.size(), motions.rigid());
+  const SymmetricModes modes(stiffness);
+  const MatrixXd basis = orthonormal_basis(rigid);
   constexpr double negligible = 1e-11;
-  const double stiffest = modes.eigenvalues().cwiseAbs().maxCoeff();
+  const double stiffest = modes.values.cwiseAbs().maxCoeff();
   std::vector<VectorXd> deformations;
-  for (int k = 0; k < modes.eigenvalues().size(); ++k) {
-    if (std::abs(modes.eigenvalues()[k]) > negligible * stiffest) continue;
-    VectorXd mode = modes.eigenvectors().col(k);
+  for (int k = 0; k < modes.values.size(); ++k) {
+    if (std::abs(modes.values[k]) > negligible * stiffest) continue;
+    VectorXd mode = modes.vectors.col(k);
     mode -= basis * (basis.transpose() * mode);
     for (const VectorXd& other : deformations) mode -= other * other.dot(mode);
     constexpr double distinct = 1e-3;
@@ -144,7 +142,7 @@ class ShapeExpansion {
     equations.bottomLeftCorner(motions, beads) = free_.columns.transpose();
     VectorXd right = VectorXd::Zero(beads + motions);
     right.head(beads) = velocity;
-    const VectorXd solution = equations.partialPivLu().solve(right);
+    const VectorXd solution = solve(equations, right);
     return {.displacement = solution.head(beads), .free_rates = solution.tail(motions)};
   }
 
@@ -164,7 +162,7 @@ class ShapeExpansion {
       for (int k = 0; k < harmonic.size(); ++k) harmonic[k] = harmonic_amplitude(drive.row(k), h);
       const MatrixXcd equations =
           rate * (unit + mobility_ * damping_) + (mobility_ * stiffness_).cast<Complex>();
-      const Eigen::VectorXcd p = equations.partialPivLu().solve(harmonic);
+      const Eigen::VectorXcd p = solve(equations, harmonic);
       for (int m = 0; m < nodes_; ++m) {
         const Complex turn = std::polar(1.0, h * node_phase(m, nodes_));
         order.displacement.col(m) += (p * turn).real();
