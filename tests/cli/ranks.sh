@@ -20,7 +20,7 @@ for scheme_and_ranks in 'mr 1' 'mr 3' 'mr 8' 'psm 1' 'psm 2' 'psm 4'; do
   [ $ranks -eq 1 ] && continue
   check "$ranks ranks: record" cmp -s ${scheme}1.json $scheme$ranks.json
   check "$ranks ranks: trajectory" cmp -s ${scheme}1.h5md $scheme$ranks.h5md
-  for part in lattice swimmers record trajectory layout flags; do  # all but the cost
+  for part in lattice swimmers record trajectory layout settings; do  # all but the cost
     check "$ranks ranks: checkpoint" h5diff ${scheme}1.h5md.ckpt.1 $scheme$ranks.h5md.ckpt.1 /$part
   done
 done
