@@ -141,8 +141,6 @@ refuses 'standard input can be read only once' beadswim-compare - -
 # --- what it refuses
 refuses 'no file is given' beadswim-compare
 refuses 'one file is given' beadswim-compare run.json
-refuses 'missing.json: the file cannot be read' beadswim-compare missing.json prediction.json
-refuses 'run.h5md: the file cannot be read' beadswim-compare run.h5md prediction.json
 refuses 'run.h5md: the file cannot be read' beadswim-compare run.json run.h5md
 echo '{ "schema": "beadswim/layout/1" }' >layout.json
 refuses 'layout.json:/schema: the document is a layout' beadswim-compare layout.json prediction.json
@@ -162,12 +160,5 @@ edited run.json '.swimmers[0].cycles[0].mean_flwo = 1' >typo.json
 refuses 'typo.json:/swimmers/0/cycles/0/mean_flwo: unknown key; did you mean "mean_flow"' \
   beadswim-compare typo.json prediction.json
 refuses 'does not contain cycle 4, only cycles 1 to 3' beadswim-compare run.json prediction.json --cycle 4
-refuses '--cycle: "frist"' beadswim-compare run.json prediction.json --cycle frist
-refuses '--quantity: unknown value "velocty"; did you mean "velocity"' \
-  beadswim-compare run.json prediction.json --quantity velocty
-for number in 0 -1 nan inf; do
-  refuses '--tolerance: ' beadswim-compare run.json prediction.json "--tolerance=$number"
-done
-refuses '--metod: unknown flag; did you mean --method' beadswim-compare run.json prediction.json --metod run
 
 finish

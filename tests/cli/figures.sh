@@ -3,10 +3,6 @@
 source "$(dirname "$0")/harness.sh"
 examples=$BEADSWIM_SOURCE/examples
 
-well_formed() { # FILE
-  check "$1 is not well-formed XML" python3 -c 'import sys, xml.dom.minidom as xml; xml.parse(sys.argv[1])' "$1"
-}
-
 run "$examples/figure-2.sh" two
 has_status 0
 out_empty

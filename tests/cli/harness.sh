@@ -8,6 +8,7 @@
 #   out_empty, err_empty     checks that standard output or standard error is empty
 #   notes_have REGEX         checks that the notes of the figure in the file out, as one line, match REGEX, that they have at
 #                            most 60 words, and that they are below the drawing and inside the page (figure_notes.py)
+#   well_formed FILE         checks that FILE is well-formed XML
 #   accepts COMMAND...       runs the command; checks for exit status 0 and nothing on standard error
 #   refuses REGEX COMMAND... runs the command; checks for exit status 2, nothing on standard output, and standard error that
 #                            matches REGEX and begins with the name of the program
@@ -74,6 +75,10 @@ notes_have() {
 out_empty() { check "standard output is not empty" test ! -s out; }
 # A warning of the expected error of a run, which depends on the scene, may stand there.
 err_empty() { check "standard error is not empty" test -z "$(grep -vE ': warning: the (velocity is expected|error of this run|run is too short)' err)"; }
+
+well_formed() { # FILE
+  check "$1 is not well-formed XML" python3 -c 'import sys, xml.dom.minidom as xml; xml.parse(sys.argv[1])' "$1"
+}
 
 accepts() {
   run "$@"

@@ -26,8 +26,6 @@ bad 'typo in a key' 's/"radius"/"raduis"/' '/types/a/beads/0/raduis: unknown key
 bad 'typo in an optional key' 's/"resolution"/"resolutoin"/' '/resolutoin: unknown key; did you mean "resolution"'
 bad 'missing key' 's/, "axis": [^}]*\]//' '/swimmers/0: the object lacks the key "axis"'
 bad 'NaN' 's/"density": 1.0/"density": NaN/' ' line 4, column .*finite number'
-bad 'infinity' 's/"density": 1.0/"density": -Infinity/' ' line 4, column .*finite number'
-bad 'overflow' 's/"density": 1.0/"density": 1e999/' ' line 4, column .*1e999 is beyond the range'
 bad 'number as text' 's/"density": 1.0/"density": "1.0"/' '/fluid/density: "1.0": the value must be of type number'
 bad 'negative radius' 's/"radius": 4.0/"radius": -4/' '/types/a/beads/0/radius: -4: the value must be greater than 0'
 bad 'bead outside the box' 's/\[36.0, 15.0/[73.0, 15.0/' '/swimmers/0/position: the position \(73, 15, 15\) of bead 2 lies outside the box'
@@ -63,8 +61,6 @@ bad 'duplicate key' 's/"id": 0/"id": 0, "id": 0/' '/swimmers/0/id: this key is g
 bad 'newer version' 's#layout/1#layout/3#; s/"fluid"/"medium"/' '/schema: the schema "beadswim/layout/3" is newer than this program'
 bad 'another document' 's#layout/1#run/1#' '/schema: the document is a run record \(beadswim-run\), without positions, .*; give a layout \(beadswim-layout\)'
 bad 'no schema' 's/"schema": [^\n]*//' ' the document lacks the key "schema"'
-bad 'comment' 's/"units"/\/\/ comment\n  "units"/' ' line 3, column '
-bad 'text after the document' 's/$/x/' ' line '
 bad 'two documents' 's/$/{}/' ' line [0-9]+, column 1: a second JSON document begins here, but only one document is read; write one document per line \(JSON Lines\), or select one document, for example with jq'
 
 # Numbers beyond the range of floating-point numbers.
@@ -73,13 +69,8 @@ bad 'a denormal period' 's/"period": [0-9.]*/"period": 1e-320/' ' with the small
 bad 'a tiny amplitude' 's/"amplitude": \[[^]]*\]/"amplitude": [1e-200, 0]/' ' the driving amplitude (-?)1e-200 is out of range'
 bad 'a huge stiffness' 's/"stiffness": [0-9.]*/"stiffness": 1e200/' ' the (angular )?stiffness 1e\+200 is out of range'
 
-for length in 1 50 100 500; do
-  head -c $length sound.json >bad.json
-  refuses 'bad.json: line .*truncated' beadswim-layout check bad.json
-done
 : >bad.json
 refuses 'bad.json: .*empty' beadswim-layout check bad.json
-refuses 'missing.json: the file cannot be read: No such file' beadswim-layout check missing.json
 refuses ': this path is a folder' beadswim-layout check .
 sed 's/"radius"/"raduis"/' sound.json >bad.json
 run bash -c 'beadswim-layout check - <bad.json'

@@ -37,7 +37,7 @@ check "3 ranks write another flow" cmp -s 1.h5md.flow/000000200.vti 3.h5md.flow/
 check "the pvd names its files" grep -q 'file="1.h5md.flow/000000200.vti"' 1.h5md.flow.pvd
 check "the index for ParaView names the trajectory, and all 81 frames" \
   test "$(grep -c '<Grid Name="beads">' 3.h5md.xdmf2)" -eq 81 -a "$(grep -c '>3.h5md:/particles/beads/radius<' 3.h5md.xdmf2)" -eq 1
-check "it is well-formed" python3 -c 'import sys, xml.dom.minidom as xml; xml.parse(sys.argv[1])' 3.h5md.xdmf2
+well_formed 3.h5md.xdmf2
 check "no .part file is left" test -z "$(ls ./*.part 2>/dev/null)"
 
 run bash -c 'beadswim-run layout.json -o 1.h5md --cycles 0.1 2>/dev/full'

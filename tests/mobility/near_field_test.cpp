@@ -226,16 +226,6 @@ MobilityScene unit_spheres(int count, const std::vector<int>& lines) {
   return {MobilityModel::rpy_near, eta, {}, Numbers(count, 1.0), 1e-8, lines};
 }
 
-// Two spheres that no swimmer joins to a third: Stimson and Jeffery's drag of spheres that approach each
-// other.
-TEST(NearField, MovesLonePairsExactly) {
-  const Vectors found =
-      velocities(unit_spheres(2, {}), {Vec3(0, 0, 0), Vec3(0, 3, 0)}, {Vec3(0, 1, 0), Vec3(0, -1, 0)});
-  const double unit = 1 / (6 * std::numbers::pi * eta);
-  EXPECT_NEAR(found[0].y() / unit, 1 / 2.038655, 1e-6);
-  EXPECT_NEAR(found[1].y() / unit, -1 / 2.038655, 1e-6);
-}
-
 // Of three beads at the corners of a triangle each pair is close: the map has the symmetry of the triangle.
 TEST(NearField, TreatsATriangleAsPairs) {
   const double height = 1.5 * std::numbers::sqrt3;

@@ -59,48 +59,6 @@ void drive_length(SwimmerType& type, int bond, double amplitude, double phase) {
                                 .harmonics = {{.amplitude = amplitude, .phase = phase}}});
 }
 
-// Without inertia, one degree of freedom does not swim (Purcell 1977), whatever drives it.
-TEST(Dumbbell, DoesNotSwim) {
-  SwimmerType type = beads_at({Vec3(0, 0, 0), Vec3(16, 0, 0)}, 4);
-  type.beads[1].radius = 2.5;
-  add_bond(type, 0, 1, 0.05);
-  type.driving.bonds = {{.bond = 0,
-                         .quantity = BondQuantity::tension,
-                         .harmonics = {{.amplitude = 0.1}, {.amplitude = 0.05, .phase = 1, .multiple = 2}}}};
-  const CycleStatistics cycle = last_cycle(lone(type, 4000), 8);
-  EXPECT_GT(cycle.arm_amplitudes[0], 1);
-  EXPECT_LT(cycle.velocity.norm(), 1e-10 * 4 * omega);
-}
-
-/// Returns three equal beads at the corners of a triangle; each side is driven a phase `shift` behind the
-/// last.
-SwimmerType triangle(double shift) {
-  SwimmerType type = beads_at(
-      {Vec3(-8, -8 / std::sqrt(3), 0), Vec3(8, -8 / std::sqrt(3), 0), Vec3(0, 16 / std::sqrt(3), 0)}, 4);
-  for (int k = 0; k < 3; ++k) {
-    add_bond(type, k, (k + 1) % 3, 1);
-    type.bonds.back().rest_length = 16;
-    drive_length(type, k, 2, -k * shift);
-  }
-  return type;
-}
-
-TEST(Triangle, RotatesIfItsSidesMoveInTurnAndDoesNotTranslate) {
-  const CycleStatistics in_turn = last_cycle(lone(triangle(2 * pi / 3), 600), 6);
-  const double turn = in_turn.angular_velocity->z() * period;
-  EXPECT_GT(std::abs(turn), 1e-3);
-  EXPECT_LT(in_turn.angular_velocity->head<2>().norm() * period, 1e-9);
-  EXPECT_LT(in_turn.velocity.norm() * period, 1e-5);
-  const CycleStatistics backwards = last_cycle(lone(triangle(-2 * pi / 3), 600), 6);
-  EXPECT_NEAR(backwards.angular_velocity->z() * period, -turn, 1e-5 * std::abs(turn));
-}
-
-TEST(Triangle, NeitherRotatesNorTranslatesIfItsSidesMoveTogether) {
-  const CycleStatistics together = last_cycle(lone(triangle(0), 100), 4);
-  EXPECT_LT(together.angular_velocity->norm() * period, 1e-11);
-  EXPECT_LT(together.velocity.norm() * period, 1e-11);
-}
-
 /// Returns five beads without symmetry, in a loop with a tail, driven by lengths, tensions, an angle and
 /// forces that turn with the swimmer.
 SwimmerType odd_shape() {
@@ -253,14 +211,6 @@ TEST(PrescribedStroke, TendsToTheFarFieldFormula) {
   }
   EXPECT_LT(std::abs(differences[2]), 0.05);
   for (int fine = 1; fine < 3; ++fine) EXPECT_NEAR(differences[fine - 1] / differences[fine], 2, 0.25);
-}
-
-// Reversed in time, a stroke without inertia reverses the velocity.
-TEST(PrescribedStroke, ReversedInTimeReversesTheVelocity) {
-  const double forwards = last_cycle(lone(prescribed(6, 1.5, 1.2, 1e-5), 400), 3).velocity.x();
-  const double backwards = last_cycle(lone(prescribed(6, 1.5, -1.2, 1e-5), 400), 3).velocity.x();
-  EXPECT_GT(std::abs(forwards), 1e-4 * omega);
-  EXPECT_NEAR(backwards, -forwards, 1e-4 * std::abs(forwards));
 }
 
 // Under forces -F(T - t), beads without springs return on the path along which the forces F(t) moved them.

@@ -99,35 +99,6 @@ TEST_P(InertialMethod, LeavesMirrorSymmetricSwimmerWhereItIs) {
   }
 }
 
-// Velocity is a number over length and time, whatever these are measured in.
-TEST_P(InertialMethod, DoesNotDependOnUnits) {
-  constexpr double roundoff = 1e-9;
-  const double length = 1e-6, time = 3e-7, mass = 5e-15;
-  const CollinearSwimmer swimmer = unequal_heavy_and_light();
-  CollinearSwimmer other = swimmer;
-  for (double& radius : other.radius) radius *= length;
-  for (double& arm : other.arm) arm *= length;
-  for (double& density : other.density) density *= mass / (length * length * length);
-  for (double& stiffness : other.stiffness) stiffness *= mass / (time * time);
-  for (double& damping : other.damping) damping *= mass / time;
-  for (double& amplitude : other.amplitude) amplitude *= mass * length / (time * time);
-  other.period *= time;
-  other.viscosity *= mass / (length * time);
-  const Box box{.lengths = {120, 70, 60},
-                .boundary = {Boundary::free_slip, Boundary::periodic, Boundary::free_slip}};
-  Question a = ask_in_box(swimmer, box, {50, 30, 20}), b = ask(other);
-  b.fluid_density = mass / (length * length * length);
-  b.box = a.box;
-  for (int i = 0; i < 3; ++i) {
-    b.box->box.lengths[i] *= length;
-    b.box->middle_bead[i] *= length;
-  }
-  const Prediction ours = predicted(GetParam(), a), theirs = predicted(GetParam(), b);
-  EXPECT_NEAR(theirs.velocity / (ours.velocity * length / time), 1, roundoff);
-  EXPECT_NEAR(*theirs.uncertainty / *ours.uncertainty, 1, roundoff);
-  EXPECT_NEAR(theirs.stroke.amplitude[1] / (ours.stroke.amplitude[1] * length), 1, roundoff);
-}
-
 TEST_P(InertialMethod, SendsOppositePhaseOfEqualBeadsTheOtherWay) {
   constexpr double roundoff = 1e-9;
   CollinearSwimmer swimmer = with_amplitude(with_density(paper_swimmer(2000), 4), 0.2);

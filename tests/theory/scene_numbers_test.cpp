@@ -72,32 +72,5 @@ TEST(SceneNumbers, OfTheSwarmsSwimmer) {
   EXPECT_NEAR(numbers.arm_amplitude[1], 10.3, 0.05 * 10.3);
 }
 
-// Changing the units of length, time and mass changes no dimensionless number.
-TEST(SceneNumbers, AreTheSameInAnyUnits) {
-  const Layout before = paper_single();
-  Layout after = before;
-  const double length = 0.37, time = 5.1, mass = 0.023;
-  after.fluid.density *= mass / std::pow(length, 3);
-  after.fluid.kinematic_viscosity *= length * length / time;
-  after.domain.box->lengths *= length;
-  after.swimmers[0].position *= length;
-  change(after.types["a"], [&](ThreeBeadSwimmer& type) {
-    for (Bead& bead : type.beads) bead.radius *= length;
-    for (Spring& spring : type.springs) {
-      spring.stiffness *= mass / (time * time);
-      spring.rest_length *= length;
-    }
-    for (double& amplitude : type.driving.amplitude) amplitude *= mass * length / (time * time);
-    type.driving.period *= time;
-  });
-
-  const TypeNumbers a = scene_numbers(before).types.at("a");
-  const TypeNumbers b = scene_numbers(after).types.at("a");
-  EXPECT_NEAR(b.reynolds.value() / a.reynolds.value(), 1, roundoff);
-  EXPECT_NEAR(b.radius_over_penetration_depth / a.radius_over_penetration_depth, 1, roundoff);
-  EXPECT_NEAR(b.drag_over_spring[1] / a.drag_over_spring[1], 1, roundoff);
-  EXPECT_NEAR(b.arm_amplitude[0] / (a.arm_amplitude[0] * length), 1, roundoff);
-}
-
 }  // namespace
 }  // namespace beadswim

@@ -75,38 +75,5 @@ INSTANTIATE_TEST_SUITE_P(Methods, FiniteAmplitudeSymmetry,
                            return name;
                          });
 
-/// Returns swimmer, box, fluid and stroke in other units: the units are smaller by the factors `length`,
-/// `time` and `mass`.
-Question in_units(Question q, double length, double time, double mass) {
-  q.swimmer = in_units(q.swimmer, length, time, mass);
-  q.fluid_density *= mass / (length * length * length);
-  for (double& side : q.box->box.lengths) side *= length;
-  for (double& place : q.box->middle_bead) place *= length;
-  for (double& swing : q.measured_stroke->amplitude) swing *= length;
-  return with_exact_reference(q);
-}
-
-// Every method in the table says the same whatever the units: in a box, with and without a measured stroke.
-TEST(Methods, DoNotDependOnUnits) {
-  constexpr double length = 2.5, time = 40, mass = 0.01;
-  constexpr double resolved = 1e-9;  // relative: of iterations that end at a tolerance
-  Question lattice = ask(paper_swimmer(2000));
-  lattice.swimmer.amplitude = {0.2, 0.2};
-  lattice.box = BoxPlace{.box = {.lengths = {128, 80, 80},
-                                 .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic}},
-                         .middle_bead = {64, 40, 40}};
-  lattice.measured_stroke = Stroke{.amplitude = {2.5, 3.6}, .phase = {1.0, 0.2}};
-  lattice = with_exact_reference(lattice);
-  const Question other = in_units(lattice, length, time, mass);
-  for (const Method& method : methods()) {
-    const Prediction a = predict(method, lattice), b = predict(method, other);
-    EXPECT_NEAR(b.velocity / (a.velocity * length / time), 1, resolved) << method.name;
-    EXPECT_NEAR(*b.uncertainty, *a.uncertainty, resolved) << method.name;
-    EXPECT_NEAR(b.stroke.amplitude[0] / (a.stroke.amplitude[0] * length), 1, resolved) << method.name;
-    EXPECT_EQ(b.validity, a.validity) << method.name;
-    EXPECT_EQ(b.usable, a.usable) << method.name;
-  }
-}
-
 }  // namespace
 }  // namespace beadswim
