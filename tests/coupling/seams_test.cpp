@@ -92,8 +92,8 @@ std::string final_state(const CoupledScene& scene, const Communicator& communica
   return state_sha256(system, communicator);
 }
 
-// Catches a missing exchange, a sum whose order depends on ranks, a bead lost or counted twice at a seam. Each scene has
-// all schemes, and each scheme has both precisions.
+// Catches a missing exchange, a sum whose order depends on ranks, a bead lost or counted twice at a seam.
+// Each scene has all schemes, and each scheme has both precisions.
 TEST(Seams, GiveTheBitsOfOneRank) {
   const Communicator world(MPI_COMM_WORLD), self(MPI_COMM_SELF);
   bool is_single = false;

@@ -3,8 +3,8 @@
 #include "../verification/array_drag.hpp"
 #include "../verification/records.hpp"
 
-// Tests the drag of dense and dilute arrays of spheres, and of every bead boundary at its own accuracy. The cases of
-// tests/verification test one array for all schemes, and the torque on a rotating sphere.
+// Tests the drag of dense and dilute arrays of spheres, and of every bead boundary at its own accuracy. The
+// cases of tests/verification test one array for all schemes, and the torque on a rotating sphere.
 
 namespace beadswim::verification {
 namespace {

@@ -5,7 +5,8 @@
 #include "beadswim/theory/methods.hpp"
 #include "swimmers.hpp"
 
-// Tests of symmetries that hold for every swimmer in Stokes flow at finite amplitude, for every pair mobility.
+// Tests of symmetries that hold for every swimmer in Stokes flow at finite amplitude, for every pair
+// mobility.
 
 namespace beadswim {
 namespace {
