@@ -1,7 +1,7 @@
 #!/bin/bash
 # Runs the slower checks: unit tests and a small scene under the sanitizers, and the tests labelled slow (among them the files in
 # readers of other projects, the page of beadswim-view, the commands of README.md and of the documentation). Each part has a time
-# limit. Both together take 25 to 35 minutes on two cores.
+# limit. Both together take 30 to 45 minutes on two cores.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -75,6 +75,6 @@ cd "$root"
 build "$preset"
 
 section "Tests labelled slow, among them documents in other readers, the page of beadswim-view in a browser, the commands of pages"
-BEADSWIM_NONE_SKIPPED=1 timeout 2400 ctest --preset "$preset" --label-regex slow
+BEADSWIM_NONE_SKIPPED=1 timeout 3600 ctest --preset "$preset" --label-regex slow
 
 section "All extended checks passed"

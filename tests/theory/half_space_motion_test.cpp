@@ -101,11 +101,13 @@ double far_limit(const std::array<double, 3>& f) {
 // Berke, Turner, Berg & Lauga, Phys. Rev. Lett. 101 (2008) 038102; Spagnolie & Lauga, J. Fluid Mech. 700
 // (2012) 105.
 TEST(ShapesOverAWall, FarFromItASwimmerFollowsTheImageOfItsDipole) {
-  for (const auto& [arms, phase, is_pusher] :
-       {std::tuple{std::array{10.0, 20.0}, 1.5, true}, {std::array{20.0, 10.0}, 1.5, false}}) {
+  constexpr double phase = 1.5;
+  for (const auto& [arms, is_pusher, pitches] :
+       {std::tuple{std::array{10.0, 20.0}, true, std::vector{0.0, 0.4}},
+        {std::array{20.0, 10.0}, false, std::vector{-0.9}}}) {
     const double p = mean_dipole(swimmer(arms, phase, 0));
     EXPECT_EQ(p > 0, is_pusher);
-    for (const double pitch : {0.0, 0.4, -0.9}) {
+    for (const double pitch : pitches) {
       ShapedSwimmer placed = swimmer(arms, phase, pitch);
       const Vec3 free = periodic_motion(placed, rotne_prager_tensor).velocity;
       placed.half_space = HalfSpace{};
