@@ -113,7 +113,7 @@ has_status 0
 check "cell size" holds '.resolution.cell_size * 3 - 2 | fabs < 1e-12' out
 check "whole steps" holds '.resolution.time_step * .resolution.steps_per_cycle - 100 | fabs < 1e-9' out
 
-# --- single precision: the same physics, the same bits on any ranks, and a word before it where that ends
+# --- single precision: the same physics, and a word before it where that ends
 small --period 200 --amplitude 0.2 >strong.json
 for precision in double single; do
   run mpirun -n 2 beadswim-run strong.json -o $precision.h5md --cycles 2 --precision $precision --progress none
@@ -221,19 +221,19 @@ has_status 4
 
 # --- failed: all ranks stop with the reason, exit status 3, and what there is up to the fault is kept
 small --period 4000 --amplitude 1,0 --phase 0 --stiffness 1e-3 >torn.json
-for ranks in 1 3; do
-  run timeout 60 mpirun -n $ranks beadswim-run torn.json -o torn$ranks.h5md --progress none --no-provenance
+for ranks in 1 2; do
+  run timeout 120 mpirun -n $ranks beadswim-run torn.json -o torn$ranks.h5md --progress none --no-provenance
   has_status 3
   err_has 'step [0-9]+ \(cycle [0-9.]+, largest Mach number of a bead [0-9.e-]+\): the arm from bead [12] of swimmer 0 at \(.*\) to bead [23] is torn: its length is .* the rest length, above .* stiffer springs'
   cp out torn$ranks.json
 done
-check "1 and 3 ranks fail alike" cmp -s torn1.json torn3.json
-check "with the same frames" cmp -s torn1.h5md torn3.h5md
+check "1 and 2 ranks fail alike" cmp -s torn1.json torn2.json
+check "with the same frames" cmp -s torn1.h5md torn2.h5md
 check "status, reason, no final state" \
   holds '.status == "failed" and (.reason | test("torn")) and .state_sha256 == null' torn1.json
 # Instability shows first in a bead's speed, and is called by its name.
 small --bead-density 0.3 --period 400 --amplitude 0.1 >unstable.json
-run timeout 60 mpirun -n 2 beadswim-run unstable.json -o unstable.h5md --progress none --delay-correction off \
+run timeout 120 mpirun -n 2 beadswim-run unstable.json -o unstable.h5md --progress none --delay-correction off \
   --relaxation-time 0.6
 has_status 4
 err_has 'bead [123] of swimmer 0 at .* limit of 0.5 cells per step; .* too low for the explicit coupling of beads and fluid; use --delay-correction on'
