@@ -33,12 +33,14 @@ for scene in open boxed; do
 done
 
 beadswim-layout swimmer --preset paper-single --radius 2 --arm 8 --stiffness 0.05 --period 400 --box 32,16,16 --boundary periodic >cell.json
-for model in oseen rpy rpy+near multipole unsteady lbm; do
+models=(oseen rpy rpy+near multipole unsteady lbm)
+for n in {0..5}; do # two systems for each model, and two models for each system
+  model=${models[n]}
   settings=(--model "$model" --cycles 1 --progress none --no-provenance)
   run beadswim-run cell.json -o cell.h5md "${settings[@]}"
   has_status 0
   mv out reference.json
-  for system in "${systems[@]}"; do
+  for system in "${systems[n]}" "${systems[(n + 3) % 6]}"; do
     read -r l t m <<<"$system"
     in_units $l $t $m <cell.json >units.json
     run beadswim-run units.json -o units.h5md "${settings[@]}"
