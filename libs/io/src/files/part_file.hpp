@@ -14,8 +14,10 @@ std::filesystem::path link_target(std::filesystem::path path);
 
 std::string part_name(const std::string& path);
 
-/// Flushes PATH.part to the disk and renames it to PATH. Replaces an older file. Returns 0, or the value of
-/// errno if this fails.
+/// Flushes a complete file to the disk and renames it to `target`. Replaces an older file. Returns 0, or the
+/// value of errno if this fails.
+int rename_durably(const std::string& file, const std::filesystem::path& target);
+/// Renames PATH.part to PATH in this way.
 int name_finished_file(const std::string& path);
 
 }  // namespace beadswim

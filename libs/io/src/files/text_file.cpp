@@ -36,52 +36,26 @@ class Descriptor {
 
   bool is_open() const { return number_ >= 0; }
 
-  void write_all(const std::string& text, const std::string& path) const {
+  /// Returns 0, or the value of errno if the text cannot be written.
+  int write(const std::string& text) const {
     for (std::size_t written = 0; written < text.size();) {
       const ssize_t count = ::write(number_, text.data() + written, text.size() - written);
       if (count < 0 && errno == EINTR) continue;
-      if (count < 0)
-        throw SolverError(fmt::format("{}: the file cannot be written: {}", path, system_message()));
+      if (count < 0) return errno;
       written += static_cast<std::size_t>(count);
     }
-  }
-
-  void sync(const std::string& path) const {
-    // Some network file systems cannot synchronise folders and return EINVAL.
-    if (::fsync(number_) != 0 && errno != EINVAL) {
-      throw SolverError(fmt::format("{}: the file cannot be written: {}", path, system_message()));
-    }
+    return 0;
   }
 
  private:
   int number_;
 };
 
-/// A temporary file in the folder of `target`. The destructor removes it unless it has replaced the target.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const fs::path& target)
-      : target_(target), path_(fmt::format("{}.tmp{}", target.string(), ::getpid())) {}
-  ~TemporaryFile() {
-    if (!path_.empty()) ::unlink(path_.c_str());
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  const fs::path& path() const { return path_; }
-
-  void replace_target() {
-    if (::rename(path_.c_str(), target_.c_str()) != 0) {
-      throw SolverError(fmt::format("{}: the existing file cannot be replaced by the new one: {}",
-                                    target_.string(), system_message()));
-    }
-    path_.clear();
-  }
-
- private:
-  fs::path target_;
-  fs::path path_;
-};
+void require_written(int reason, const fs::path& path) {
+  if (reason != 0)
+    throw SolverError(
+        fmt::format("{}: the file cannot be written: {}", path.string(), std::strerror(reason)));
+}
 
 InputError cannot_be_created(const std::string& path) {
   return InputError(
@@ -101,25 +75,24 @@ void write_stdout(const std::string& text) {
 void write_in_place(const fs::path& target, const std::string& text) {
   const Descriptor file(target, O_WRONLY);
   if (!file.is_open()) throw cannot_be_created(target);
-  file.write_all(text, target);
+  require_written(file.write(text), target);
 }
 
-/// Replaces a file. If `path` is a symbolic link, replaces its target.
+/// Creates a temporary file in the folder of `target` and gives it the name of the target.
 void replace_file(const std::string& path, const std::string& text) {
   const fs::path target = link_target(path);
   std::error_code ignored;
   if (fs::is_directory(target, ignored)) throw InputError(path, "this path is a folder; name a file");
-  TemporaryFile temporary(target);
+  const std::string temporary = fmt::format("{}.tmp{}", target.string(), ::getpid());
+  int reason = 0;
   {
-    const Descriptor file(temporary.path(), O_WRONLY | O_CREAT | O_TRUNC);
+    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
     if (!file.is_open()) throw cannot_be_created(path);
-    file.write_all(text, target);
-    file.sync(target);
+    reason = file.write(text);
   }
-  temporary.replace_target();
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
-  const Descriptor opened_folder(folder, O_RDONLY | O_DIRECTORY);
-  if (opened_folder.is_open()) opened_folder.sync(folder);
+  if (reason == 0) reason = rename_durably(temporary, target);
+  if (reason != 0) ::unlink(temporary.c_str());
+  require_written(reason, target);
 }
 
 }  // namespace
