@@ -127,7 +127,7 @@ void go_on_from(const std::string& path) {
       restore({one_rank(), *plan, {}, *model, &trajectory, recorder, checkpoints}, checkpoint);
   require(history.steps_done == model->steps_done() && history.steps_done >= 0,
           "the run goes on at its step");
-  const std::vector<char> record = checkpoint.bytes("record", 0, checkpoint.size("record"));
+  const std::vector<char> record = checkpoint.bytes("record");
   require(recorder.state() == record, "the record is as it was");
   for (int n = 0; n < 2 && !model->fault(); ++n) {
     model->step();

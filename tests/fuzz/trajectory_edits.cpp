@@ -118,15 +118,15 @@ void edit(Item& item, ByteSource& edits) {
   }
 }
 
-void make_groups(hid_t file, const std::string& place) {
+void make_groups(const H5File& file, const std::string& place) {
   for (std::size_t slash = place.find('/'); slash != std::string::npos; slash = place.find('/', slash + 1)) {
     const std::string group = place.substr(0, slash);
-    if (H5Lexists(file, group.c_str(), H5P_DEFAULT) <= 0) create_group(file, group);
+    if (!file.contains(group)) file.create_group(group);
   }
 }
 
 H5Handle type_of(const Item& item) {
-  H5Handle type(H5Tcopy(item.type), H5Tclose, item.place);
+  H5Handle type(H5Tcopy(item.type), item.place);
   if (H5Tget_class(type) != H5T_STRING) return type;
   const std::size_t count = item.shape.size() == 1 ? std::clamp<std::size_t>(item.shape[0], 1, 3) : 1;
   H5Tset_size(type, item.text.empty() ? H5T_VARIABLE : (item.text.size() + count - 1) / count);
@@ -149,18 +149,18 @@ void fill(hid_t dataset, const Item& item, const H5Handle& type) {
 }
 
 void write_dataset(hid_t file, const Item& item, const H5Handle& type, const H5Handle& space) {
-  const H5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, item.place);
+  const H5Handle creation(H5Pcreate(H5P_DATASET_CREATE), item.place);
   const std::vector<hsize_t> chunk(item.shape.size(), 1);
   const bool is_large = std::ranges::any_of(item.shape, [](hsize_t n) { return n > most_stored; });
   if (is_large) H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
   H5Pset_obj_track_times(creation, false);
   const hid_t dataset = H5Dcreate2(file, item.place.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
   if (dataset < 0) return;
-  const H5Handle owned(dataset, H5Dclose, item.place);
+  const H5Handle owned(dataset, item.place);
   if (!is_large) fill(owned, item, type);
 }
 
-void write_item(hid_t file, const Item& item) {
+void write_item(const H5File& file, const Item& item) {
   make_groups(file, item.place + (item.form == Form::attribute ? "/" : ""));
   if (item.form == Form::missing) return;
   if (item.form == Form::group) return static_cast<void>(make_groups(file, item.place + "/"));
@@ -169,16 +169,16 @@ void write_item(hid_t file, const Item& item) {
   const H5Handle type = type_of(item);
   const hid_t made = H5Screate_simple(static_cast<int>(item.shape.size()), item.shape.data(), nullptr);
   if (made < 0) return;
-  const H5Handle space(made, H5Sclose, item.place);
+  const H5Handle space(made, item.place);
   if (item.form == Form::dataset) return write_dataset(file, item, type, space);
   const hid_t parent = H5Oopen(file, item.place.c_str(), H5P_DEFAULT);
   if (parent < 0) return;
-  const H5Handle object(parent, H5Oclose, item.place);
+  const H5Handle object(parent, item.place);
   if (count_of(item) > 64) return;
   const std::string name = item.attribute.empty() ? "name" : item.attribute;
   const hid_t attribute = H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT);
   if (attribute < 0) return;
-  const H5Handle owned(attribute, H5Aclose, item.place);
+  const H5Handle owned(attribute, item.place);
   const std::string padded = item.text + std::string(1024, '\0');
   if (H5Tis_variable_str(type) <= 0 && H5Tget_size(type) * count_of(item) <= padded.size())
     H5Awrite(owned, type, padded.data());
@@ -189,8 +189,7 @@ void write_item(hid_t file, const Item& item) {
 void write_edited_trajectory(const std::string& path, ByteSource& edits) {
   std::vector<Item> items = sound_items();
   while (!edits.is_at_end()) edit(items[edits.choice(items.size())], edits);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const H5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path);
+  const H5File file(path, H5File::Mode::create, "");
   for (const Item& item : items) write_item(file, item);
 }
 

@@ -142,6 +142,20 @@ TEST_F(CheckpointFile, ThatIsNotFinishedLeavesTheOlderOne) {
   EXPECT_FALSE(fs::exists(folder.file("a.part")));
 }
 
+/// Catches a fault in a checkpoint that is reported without the remedy.
+TEST_F(CheckpointFile, NamesTheRemedyForUnexpectedContents) {
+  write<double>(folder.file("a"));
+  const CheckpointReader file(folder.file("a"), communicator);
+  try {
+    with_checkpoint_remedy([&] { static_cast<void>(file.bytes("words", 0, words.size() + 1)); });
+    FAIL() << "nothing was thrown";
+  } catch (const SolverError& error) {
+    EXPECT_EQ(error.what(), folder.file("a") +
+                                ":/words: the dataset ends too early; take the run's other checkpoint "
+                                "(.ckpt.0 or .ckpt.1), or begin without a checkpoint");
+  }
+}
+
 TEST_F(CheckpointFile, CopiesASectionToAFile) {
   write<double>(folder.file("a"));
   if (communicator.is_root())
@@ -150,7 +164,7 @@ TEST_F(CheckpointFile, CopiesASectionToAFile) {
   {
     const CheckpointReader file(folder.file("a"), communicator);
     std::FILE* copy = communicator.is_root() ? std::fopen(folder.file("copy").c_str(), "r+") : nullptr;
-    file.copy_to("words", communicator.is_root() ? fileno(copy) : -1);
+    file.copy_to("words", copy);
     if (copy != nullptr) std::fclose(copy);
   }
   MPI_Barrier(communicator.get());

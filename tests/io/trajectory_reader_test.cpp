@@ -36,7 +36,7 @@ TrajectoryHeader two_swimmers() {
           .bead = {1, 2, 3, 1, 2, 3},
           .radius = {1, 1.5, 1, 0.5, 0.5, 0.25},
           .creator_version = "1.2.3",
-          .parameters = {{"layout", "{ \"a\": 1 }\n"}, {"note", "λ"}}};
+          .layout = "{ \"λ\": 1 }\n"};
 }
 
 /// Returns frame number n. Its positions leave the box on both sides; all numbers are exact in single
@@ -76,10 +76,9 @@ std::string fault_of(const std::string& path) {
   return "";
 }
 
-/// Changes the finished file with functions of HDF5.
-void edit(const std::string& path, const std::function<void(hid_t)>& change) {
-  const H5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path);
-  change(file);
+/// Changes the finished file.
+void edit(const std::string& path, const std::function<void(const H5File&)>& change) {
+  change(H5File(path, H5File::Mode::update, ""));
 }
 
 void expect_equal(const TrajectoryFrame& read, const TrajectoryFrame& written) {
@@ -156,7 +155,7 @@ TEST(TrajectoryReader, GivesBackWhatWasWritten) {
   EXPECT_EQ(reader.header().bead, written.bead);
   EXPECT_EQ(reader.header().radius, written.radius);
   EXPECT_EQ(reader.header().creator_version, written.creator_version);
-  EXPECT_EQ(reader.header().parameters, written.parameters);
+  EXPECT_EQ(reader.header().layout, written.layout);
   ASSERT_EQ(reader.frames(), 5U);
   for (const int n : {4, 0, 2}) expect_equal(reader.frame(n), frame_number(n));
 }
@@ -204,11 +203,11 @@ TEST(TrajectoryReader, LeavesOutAFrameThatIsNotWritten) {
   const auto extended = [&](const std::vector<std::string>& names) {
     const std::string path = folder.file("full.h5md.part");
     write(path, 3);
-    const H5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path);
+    const H5File file(path, H5File::Mode::update, "");
     for (const std::string& name : names) {
-      const H5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+      const H5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), name);
       std::array<hsize_t, 3> extent{};
-      H5Sget_simple_extent_dims(H5Handle(H5Dget_space(dataset), H5Sclose, name), extent.data(), nullptr);
+      H5Sget_simple_extent_dims(H5Handle(H5Dget_space(dataset), name), extent.data(), nullptr);
       ++extent[0];
       H5Dset_extent(dataset, extent.data());
     }
@@ -251,13 +250,8 @@ TEST(TrajectoryReader, WrapsPositionsBelowTheBoxLengthInSinglePrecisionToo) {
     for (int b = 0; b < 6; ++b) frame.positions[b] = Vec3(x[b], 0, 0);
   });
   const std::string name = "particles/beads/position/value";
-  std::array<float, 18> wrapped{};
-  {
-    const H5Handle file(H5Fopen(folder.file("run.h5md").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-                        name);
-    const H5Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, name);
-    ASSERT_GE(H5Dread(dataset, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, wrapped.data()), 0);
-  }
+  const std::vector<float> wrapped =
+      H5File(folder.file("run.h5md"), H5File::Mode::read, "").open(name, {1, 6, 3}).read_rows<float>(0, 1);
   const TrajectoryFrame frame = TrajectoryReader(folder.file("run.h5md")).frame(0);
   for (int b = 0; b < 6; ++b) {
     EXPECT_GE(wrapped[3 * b], 0) << x[b];
@@ -283,7 +277,7 @@ TEST(TrajectoryReader, RefusesWhatIsNoTrajectory) {
   std::ofstream(path) << "{ \"schema\": \"beadswim/run/1\" }\n";
   EXPECT_THAT(fault_of(path),
               AllOf(HasSubstr("x.h5md: the file is not an HDF5 file"), HasSubstr("give a trajectory")));
-  { const H5Handle empty(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path); }
+  { const H5File empty(path, H5File::Mode::create, ""); }
   EXPECT_THAT(
       fault_of(path),
       HasSubstr(
@@ -293,7 +287,7 @@ TEST(TrajectoryReader, RefusesWhatIsNoTrajectory) {
 TEST(TrajectoryReader, NamesThePlaceOfWhatIsBroken) {
   const Folder folder;
   const auto path = folder.file("run.h5md");
-  const auto fault_after = [&](const std::function<void(hid_t)>& change) {
+  const auto fault_after = [&](const std::function<void(const H5File&)>& change) {
     write(path, 3);
     edit(path, change);
     return fault_of(path);
@@ -302,26 +296,26 @@ TEST(TrajectoryReader, NamesThePlaceOfWhatIsBroken) {
     return fault_after([&](hid_t file) { H5Ldelete(file, name, H5P_DEFAULT); });
   };
   for (const char* name : {"particles/beads/position/value", "particles/beads/image/value",
-                           "observables/momentum/value", "particles/beads/radius", "parameters"}) {
+                           "observables/momentum/value", "particles/beads/radius", "parameters/layout"}) {
     EXPECT_THAT(without(name),
                 HasSubstr(std::string("run.h5md:/") + name +
                           ": this part of the HDF5 file is missing or cannot be read; the file is damaged"));
   }
   EXPECT_THAT(fault_after([](hid_t file) { H5Adelete_by_name(file, "particles/beads/box", "boundary", 0); }),
               HasSubstr("/particles/beads/box: this HDF5 object has no attribute \"boundary\""));
-  EXPECT_THAT(fault_after([](hid_t file) {
+  EXPECT_THAT(fault_after([](const H5File& file) {
                 H5Ldelete(file, "parameters/layout", H5P_DEFAULT);
-                write_dataset(file, "parameters/layout", std::array{1, 2});
+                file.write("parameters/layout", std::array{1, 2}.data(), {2});
               }),
               HasSubstr("/parameters/layout: the HDF5 dataset is not a string; the file is damaged"));
-  EXPECT_THAT(fault_after([](hid_t file) {
+  EXPECT_THAT(fault_after([](const H5File& file) {
                 H5Ldelete(file, "particles/beads/radius", H5P_DEFAULT);
-                write_dataset(file, "particles/beads/radius", std::array{1.0, 2.0});
+                file.write("particles/beads/radius", std::array{1.0, 2.0}.data(), {2});
               }),
               HasSubstr("/particles/beads/radius: the dataset does not have 6 entries, one per bead"));
-  EXPECT_THAT(fault_after([](hid_t file) {
+  EXPECT_THAT(fault_after([](const H5File& file) {
                 H5Ldelete(file, "particles/beads/position/value", H5P_DEFAULT);
-                write_dataset(file, "particles/beads/position/value", std::array{1.0, 2.0});
+                file.write("particles/beads/position/value", std::array{1.0, 2.0}.data(), {2});
               }),
               HasSubstr("/particles/beads/position/value: the dataset does not have the shape"));
 }

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 void write_trajectory(const std::string& path, int frames) {
   const Communicator communicator(MPI_COMM_SELF);
   const TrajectoryHeader header{
-      .swimmer = {0, 0, 0}, .bead = {1, 2, 3}, .radius = {1, 1, 1}, .creator_version = "1", .parameters = {}};
+      .swimmer = {0, 0, 0}, .bead = {1, 2, 3}, .radius = {1, 1, 1}, .creator_version = "1"};
   TrajectoryWriter writer(path, header, communicator);
   for (int n = 0; n < frames; ++n) {
     writer.append(TrajectoryFrame{.step = n,

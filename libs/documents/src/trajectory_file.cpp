@@ -27,11 +27,8 @@ bool have_equal_lengths(const std::optional<Box>& a, const std::optional<Box>& b
 }
 
 Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
-  const auto& parameters = reader.header().parameters;
-  const auto found = parameters.find("layout");
   const std::string place = path + ":/parameters/layout";
-  if (found == parameters.end()) refuse_edited(place, "the file does not contain the layout of its run");
-  Layout layout = layout_from_json(parse_json(found->second, place), place).layout;
+  Layout layout = layout_from_json(parse_json(reader.header().layout, place), place).layout;
   if (layout.swimmers.size() != reader.header().swimmers()) {
     refuse_edited(place, fmt::format("the layout in the file has {} swimmers, but the file contains the "
                                      "positions of {} swimmers",

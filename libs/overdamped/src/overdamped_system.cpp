@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/core/error.hpp"
+#include "beadswim/core/data_error.hpp"
 #include "beadswim/core/keyed_random.hpp"
 #include "beadswim/core/rank_share.hpp"
 #include "beadswim/core/setting.hpp"
@@ -355,10 +355,7 @@ void OverdampedSystem::restore(OverdampedState state) {
   if (!std::ranges::all_of(state.positions, has_all_beads) ||
       !std::ranges::all_of(state.velocities, has_all_beads) ||
       !std::ranges::all_of(state.distant, has_all_beads))
-    throw SolverError(
-        fmt::format("the number of beads in the checkpoint differs from the number of beads in the layout; "
-                    "take the run's other checkpoint (.ckpt.0 or .ckpt.1), or begin without {}",
-                    Setting::restart));
+    throw DataError("the number of beads in the checkpoint differs from the number of beads in the layout");
   state_ = std::move(state);
 }
 

@@ -4,7 +4,9 @@
 
 #include <string>
 
+#include "beadswim/core/error.hpp"
 #include "beadswim/core/message.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/core/version.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
 
@@ -28,7 +30,14 @@ inline std::string this_program() {
 }
 
 inline IncomingMessage moment_of(const CheckpointReader& checkpoint) {
-  return IncomingMessage(checkpoint.bytes(moment_section, 0, checkpoint.size(moment_section)));
+  return IncomingMessage(checkpoint.bytes(moment_section));
+}
+
+[[noreturn]] inline void refuse_other_version(const CheckpointReader& checkpoint) {
+  throw SolverError(fmt::format(
+      "{}: the checkpoint was written by another version of the program; continue with that version, or begin "
+      "without {}",
+      checkpoint.path(), Setting::restart));
 }
 
 }  // namespace beadswim

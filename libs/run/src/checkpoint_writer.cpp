@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "beadswim/core/error.hpp"
+#include "beadswim/core/data_error.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "checkpoint_sections.hpp"
 
@@ -35,23 +35,19 @@ void warn_of_other_program(const RunParts& parts, const CheckpointReader& checkp
 RunHistory restore(const RunParts& parts, const CheckpointReader& checkpoint) {
   warn_of_other_program(parts, checkpoint);
   RunHistory history;
-  IncomingMessage moment = moment_of(checkpoint);
-  moment(history.steps_done);
-  if (history.steps_done < 0)
-    throw SolverError(checkpoint.path() +
-                      ": the number of time steps in the checkpoint is negative, so the file is damaged; "
-                      "take the run's other checkpoint (.ckpt.0 or .ckpt.1), or begin "
-                      "without --restart");
-  parts.model.restore(history.steps_done, moment, checkpoint);
-  moment(history.wall_seconds, history.core_seconds);
-  if (!moment.is_at_end())
-    throw SolverError(checkpoint.path() +
-                      ": the checkpoint was written by another version of the program; continue with that "
-                      "version, or begin without --restart");
-  parts.recorder.restore(parts.communicator.is_root()
-                             ? checkpoint.bytes(record_section, 0, checkpoint.size(record_section))
-                             : std::vector<char>{},
-                         history.steps_done);
+  with_checkpoint_remedy([&] {
+    IncomingMessage moment = moment_of(checkpoint);
+    moment(history.steps_done);
+    if (history.steps_done < 0)
+      throw DataError(checkpoint.path(),
+                      "the number of time steps in the checkpoint is negative, so the file is damaged");
+    parts.model.restore(history.steps_done, moment, checkpoint);
+    moment(history.wall_seconds, history.core_seconds);
+    if (!moment.is_at_end()) refuse_other_version(checkpoint);
+    parts.recorder.restore(
+        parts.communicator.is_root() ? checkpoint.bytes(record_section) : std::vector<char>{},
+        history.steps_done);
+  });
   return history;
 }
 

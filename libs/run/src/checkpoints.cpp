@@ -115,7 +115,7 @@ std::string layout_of(const CheckpointReader& checkpoint) {
 
 long steps_done_in(const CheckpointReader& checkpoint) {
   long steps_done = 0;
-  moment_of(checkpoint)(steps_done);
+  with_checkpoint_remedy([&] { moment_of(checkpoint)(steps_done); });
   return steps_done;
 }
 

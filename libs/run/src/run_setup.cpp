@@ -88,7 +88,7 @@ TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan
     header.time_unit = units.time.name;
   }
   header.creator_version = version() + " (" + revision() + ")";
-  header.parameters["layout"] = dump_json(layout_to_json(document));
+  header.layout = dump_json(layout_to_json(document));
   header.cycle_columns = columns_of<CycleStatistics>({}, widest_cycle(document.layout));
   return header;
 }

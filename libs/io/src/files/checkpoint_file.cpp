@@ -4,16 +4,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <optional>
 #include <sstream>
 #include <type_traits>
 
-#include "beadswim/core/error.hpp"
+#include "beadswim/core/data_error.hpp"
 #include "beadswim/core/setting.hpp"
 #include "part_file.hpp"
 
@@ -21,37 +19,18 @@ namespace beadswim {
 namespace {
 
 constexpr const char* format_name = "beadswim/checkpoint/1";
-constexpr const char* lattice_name = "lattice";
+constexpr const char* format_page = "docs/formats/checkpoint.md";
+constexpr const char* other_file = "name FILE.h5md.ckpt.0, FILE.h5md.ckpt.1 or FILE.h5md";
+constexpr std::uint64_t max_piece_bytes = std::uint64_t{1} << 26;  ///< of a read or write operation
+
+std::string other_checkpoint() {
+  return fmt::format("; take the run's other checkpoint (.ckpt.0 or .ckpt.1), or begin without {}",
+                     Setting::restart);
+}
 
 /// Returns the name of the dataset of a lattice: lattice, lattice1, lattice2, ...
 std::string name_of_lattice(int lattice) {
-  return lattice == 0 ? lattice_name : fmt::format("{}{}", lattice_name, lattice);
-}
-
-constexpr hsize_t max_piece_bytes = hsize_t{1}
-                                    << 26;  ///< maximum number of bytes per read or write operation
-
-template <class Real>
-hid_t file_type() {
-  return std::is_same_v<Real, float> ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
-}
-template <class Real>
-hid_t memory_type() {
-  return std::is_same_v<Real, float> ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE;
-}
-
-H5Handle parallel_access(const Communicator& communicator, const std::string& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // exceptions replace HDF5's error messages on stderr
-  H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
-  check_hdf5(H5Pset_fapl_mpio(access, communicator.get(), MPI_INFO_NULL), path);
-  return access;
-}
-
-H5Handle create_file(const std::string& path, const Communicator& communicator) {
-  const H5Handle access = parallel_access(communicator, path);
-  const hid_t file = H5Fcreate(part_name(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
-  if (file < 0) throw SolverError(part_name(path) + ": the checkpoint cannot be created; is the disk full?");
-  return {file, H5Fclose, path};
+  return lattice == 0 ? "lattice" : fmt::format("lattice{}", lattice);
 }
 
 /// Returns true on all ranks if `yes` is true on all ranks. Collective.
@@ -61,50 +40,35 @@ bool all_agree(bool yes, const Communicator& communicator) {
   return all == 1;
 }
 
-H5Handle open_file(const std::string& path, const Communicator& communicator) {
+/// Throws InputError on all ranks if `is_fine` is false on any rank. Collective.
+void require_on_all_ranks(bool is_fine, const std::string& path, const std::string& fault,
+                          const Communicator& communicator) {
+  if (!all_agree(is_fine, communicator)) throw InputError(path, fault);
+}
+
+H5File open_file(const std::string& path, const Communicator& communicator) {
   // Rank 0 first checks that the file exists and is an HDF5 file, before all ranks open it in parallel.
-  const bool is_hdf5 = !communicator.is_root() || H5Fis_hdf5(path.c_str()) > 0;
-  if (!all_agree(is_hdf5, communicator))
-    throw InputError(path,
-                     "the file is not a checkpoint, or cannot be read; name FILE.h5md.ckpt.0, "
-                     "FILE.h5md.ckpt.1 or FILE.h5md");
-  const H5Handle access = parallel_access(communicator, path);
-  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
-  if (!all_agree(file >= 0, communicator))
-    throw InputError(path, fmt::format("the file is not a checkpoint, or is damaged; take the run's other "
-                                       "checkpoint (.ckpt.0 or .ckpt.1), or begin without {}",
-                                       Setting::restart));
-  return {file, H5Fclose, path};
+  require_on_all_ranks(!communicator.is_root() || H5Fis_hdf5(path.c_str()) > 0, path,
+                       fmt::format("the file is not a checkpoint, or cannot be read; {}", other_file),
+                       communicator);
+  std::optional<H5File> file;
+  try {
+    file.emplace(path, H5File::Mode::read, format_page, &communicator);
+  } catch (const DataError&) {  // all ranks throw below
+  }
+  if (all_agree(file.has_value(), communicator)) return std::move(*file);
+  if (file) file->leave_open();
+  throw InputError(path, "the file is not a checkpoint, or is damaged" + other_checkpoint());
 }
 
-/// Dataspaces of one rank's part of a dataset, in the file and in memory.
-struct Selection {
-  H5Handle file, memory;
-};
-
-Selection select(const H5Handle& dataset, std::span<const hsize_t> start, std::span<const hsize_t> count,
-                 const std::string& what) {
-  Selection selection{
-      {H5Dget_space(dataset), H5Sclose, what},
-      {H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, what}};
-  check_hdf5(
-      H5Sselect_hyperslab(selection.file, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
-      what);
-  return selection;
+/// Extents of a lattice, with the components as slowest and x as fastest index.
+Extents extents_of(int components, const Index3& cells) {
+  return {hsize_t(components), hsize_t(cells[2]), hsize_t(cells[1]), hsize_t(cells[0])};
 }
 
-H5Handle transfer_mode(H5FD_mpio_xfer_t mode, const std::string& what) {
-  H5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose, what);
-  check_hdf5(H5Pset_dxpl_mpio(transfer, mode), what);
-  return transfer;
-}
-
-// Return start and extents of one component of `part` in the dataset [component][z][y][x].
-std::array<hsize_t, 4> start_of(const LatticePart& part, int component) {
-  return {hsize_t(component), hsize_t(part.offset[2]), hsize_t(part.offset[1]), hsize_t(part.offset[0])};
-}
-std::array<hsize_t, 4> count_of(const LatticePart& part) {
-  return {1, hsize_t(part.size[2]), hsize_t(part.size[1]), hsize_t(part.size[0])};
+/// One component of a part of a lattice in the dataset of the lattice.
+Hyperslab place_of(const LatticePart& part, int component) {
+  return {.start = extents_of(component, part.offset), .count = extents_of(1, part.size)};
 }
 
 /// Adds the numbers of one component of a part to the hash. Each number enters the hash with its index in the
@@ -126,17 +90,20 @@ void add_to(LatticeHash& hash, const LatticePart& part, int component, std::span
   }
 }
 
-/// Adds the hash of the lattice to the hash of the sections. Returns the resulting hash of the checkpoint as
-/// text.
-std::string finish_hash(Sha256& hash, std::uint64_t lattice) {
-  const std::string text = fmt::format("{}:{:016x}", lattice_name, lattice);
+void add_text(Sha256& hash, const std::string& text) {
   hash.update(std::as_bytes(std::span(text)));
-  return hash.hexadecimal();
 }
+
 /// Adds name and size [byte] of a section to the hash. The caller adds the contents of the section next.
 void begin_section(Sha256& hash, const std::string& name, std::uint64_t size) {
-  const std::string text = fmt::format("{}:{}:", name, size);
-  hash.update(std::as_bytes(std::span(text)));
+  add_text(hash, fmt::format("{}:{}:", name, size));
+}
+
+/// Adds the hash of the lattices to the hash of the sections. Returns the resulting hash of the checkpoint as
+/// text.
+std::string finish_hash(Sha256& hash, std::uint64_t lattices) {
+  add_text(hash, fmt::format("lattice:{:016x}", lattices));
+  return hash.hexadecimal();
 }
 
 std::uint64_t sum_over_ranks(std::uint64_t value, const Communicator& communicator) {
@@ -144,38 +111,10 @@ std::uint64_t sum_over_ranks(std::uint64_t value, const Communicator& communicat
   return value;
 }
 
-/// Returns the extents of a dataset. Throws SolverError if the dataset does not have `dimensions` dimensions,
-/// or if it declares more data than the file stores.
-template <std::size_t dimensions>
-std::array<hsize_t, dimensions> shape_of(const H5Handle& dataset, const std::string& what) {
-  const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
-  std::array<hsize_t, dimensions> shape{};
-  if (H5Sget_simple_extent_ndims(space) != static_cast<int>(dimensions))
-    throw SolverError(what + fmt::format(": a dataset of the checkpoint has a wrong number of dimensions; "
-                                         "take the run's other checkpoint (.ckpt.0 or .ckpt.1), or begin "
-                                         "without {}",
-                                         Setting::restart));
-  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-  if (!has_plausible_extents(dataset, shape))
-    throw SolverError(what + fmt::format(": a dataset of the checkpoint declares more data than the file "
-                                         "contains; take the run's other checkpoint (.ckpt.0 or .ckpt.1), or "
-                                         "begin without {}",
-                                         Setting::restart));
-  return shape;
-}
-
-/// Returns the text of an attribute. Returns an empty text if the attribute does not exist or is not a single
-/// string of fixed length.
-std::string attribute(const H5Handle& file, const char* name) {
-  if (H5Aexists(file, name) <= 0) return "";
-  const H5Handle at(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);
-  const H5Handle type(H5Aget_type(at), H5Tclose, name);
-  const H5Handle space(H5Aget_space(at), H5Sclose, name);
-  const bool is_one = H5Sget_simple_extent_npoints(space) == 1;
-  if (!is_one || H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return "";
-  std::string text(H5Tget_size(type), '\0');
-  check_hdf5(H5Aread(at, type, text.data()), name);
-  return text;
+/// Calls handle(first, count) for consecutive pieces of `size` bytes.
+void for_each_piece(std::uint64_t size, auto&& handle) {
+  for (std::uint64_t first = 0; first < size; first += max_piece_bytes)
+    handle(first, std::min(max_piece_bytes, size - first));
 }
 
 }  // namespace
@@ -188,9 +127,19 @@ void LatticeHash::add(std::uint64_t place, std::uint64_t bits) {
   value += z ^ (z >> 31);
 }
 
+void with_checkpoint_remedy(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const DataError& fault) {
+    throw SolverError(fault.what() + other_checkpoint());
+  }
+}
+
 CheckpointWriter::CheckpointWriter(const std::string& path, const Communicator& communicator)
-    : path_(path), communicator_(communicator), file_(create_file(path, communicator)) {
-  write_attribute(file_, "format", std::string(format_name));
+    : path_(path),
+      communicator_(communicator),
+      file_(part_name(path), H5File::Mode::create, format_page, &communicator) {
+  file_.write_attribute("/", "format", std::string(format_name));
 }
 
 CheckpointWriter::~CheckpointWriter() {
@@ -199,91 +148,63 @@ CheckpointWriter::~CheckpointWriter() {
   if (communicator_.is_root()) unlink(part_name(path_).c_str());  // frees the disk space
 }
 
-H5Handle CheckpointWriter::create(const std::string& name, hid_t type, std::span<const hsize_t> shape) {
-  const std::string what = path_ + ":/" + name;
-  const H5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose,
-                       what);
-  const H5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
-  check_hdf5(H5Pset_obj_track_times(creation, false), what);
-  check_hdf5(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), what);
-  return {H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose, what};
-}
-
-void CheckpointWriter::write_bytes(const H5Handle& dataset, hsize_t first, std::span<const char> bytes) {
-  for (hsize_t done = 0; done < bytes.size();) {
-    const std::array start{first + done}, count{std::min<hsize_t>(max_piece_bytes, bytes.size() - done)};
-    const Selection selection = select(dataset, start, count, path_);
-    if (H5Dwrite(dataset, H5T_NATIVE_CHAR, selection.memory, selection.file,
-                 transfer_mode(H5FD_MPIO_INDEPENDENT, path_), bytes.data() + done) < 0)
-      throw SolverError(part_name(path_) + ": the checkpoint cannot be written; is the disk full?");
-    done += count[0];
-  }
-  hash_.update(std::as_bytes(bytes));
+void CheckpointWriter::add_pieces(const std::string& section, std::uint64_t size, const Piece& piece) {
+  MPI_Bcast(&size, 1, MPI_UINT64_T, 0, communicator_.get());
+  const H5Dataset dataset = file_.create(section, number_type<char>(), {size});
+  sections_ += section + "\n";
+  if (!communicator_.is_root()) return;
+  begin_section(hash_, section, size);
+  for_each_piece(size, [&](std::uint64_t first, std::uint64_t count) {
+    const std::span<const char> bytes = piece(first, count);
+    dataset.write({{first}, {count}}, bytes.data());
+    hash_.update(std::as_bytes(bytes));
+  });
 }
 
 void CheckpointWriter::add(const std::string& section, std::span<const char> bytes) {
-  std::uint64_t size = bytes.size();
-  MPI_Bcast(&size, 1, MPI_UINT64_T, 0, communicator_.get());
-  const H5Handle dataset = create(section, H5T_STD_I8LE, std::array{hsize_t(size)});
-  sections_ += section + "\n";
-  if (!communicator_.is_root()) return;
-  begin_section(hash_, section, size);
-  write_bytes(dataset, 0, bytes);
+  add_pieces(section, bytes.size(),
+             [&](std::uint64_t first, std::uint64_t count) { return bytes.subspan(first, count); });
 }
 
-void CheckpointWriter::add_file(const std::string& section, const std::string& path) {
-  std::uint64_t size = 0;
-  std::ifstream file;
+void CheckpointWriter::add_file(const std::string& section, std::FILE* file) {
+  const auto require = [&](bool is_read) {
+    if (!is_read)
+      throw SolverError(fmt::format("the {} cannot be copied into the checkpoint {}: {}", section, path_,
+                                    std::strerror(errno)));
+  };
+  std::int64_t size = 0;
   if (communicator_.is_root()) {
-    file.open(path, std::ios::binary);
-    std::error_code failure;
-    size = std::filesystem::file_size(path, failure);
-    if (!file || failure)
-      throw SolverError(
-          path +
-          ": the file cannot be copied into a checkpoint; was the file moved or removed during the run?");
+    require(std::fseek(file, 0, SEEK_END) == 0 && (size = std::ftell(file)) >= 0);
+    std::rewind(file);
   }
-  MPI_Bcast(&size, 1, MPI_UINT64_T, 0, communicator_.get());
-  const H5Handle dataset = create(section, H5T_STD_I8LE, std::array{hsize_t(size)});
-  sections_ += section + "\n";
-  if (!communicator_.is_root()) return;
-  begin_section(hash_, section, size);
-  std::vector<char> buffer(std::min<std::uint64_t>(max_piece_bytes, size));
-  for (std::uint64_t done = 0; done < size;) {
-    const std::uint64_t count = std::min<std::uint64_t>(buffer.size(), size - done);
-    if (!file.read(buffer.data(), static_cast<std::streamsize>(count)))
-      throw SolverError(
-          path +
-          ": the file cannot be copied into a checkpoint; was the file moved or removed during the run?");
-    write_bytes(dataset, done, std::span(buffer).first(count));
-    done += count;
-  }
+  std::vector<char> buffer;
+  add_pieces(section, size, [&](std::uint64_t, std::uint64_t count) {
+    buffer.resize(count);
+    require(std::fread(buffer.data(), 1, count, file) == count);
+    return std::span<const char>(buffer);
+  });
 }
 
 template <class Real>
 void CheckpointWriter::add_lattice(const LatticePart& part, int components,
                                    const std::function<void(int, std::span<Real>)>& fill) {
-  const H5Handle dataset = create(name_of_lattice(part.lattice), file_type<Real>(),
-                                  std::array{hsize_t(components), hsize_t(part.cells[2]),
-                                             hsize_t(part.cells[1]), hsize_t(part.cells[0])});
+  const H5Dataset dataset =
+      file_.create(name_of_lattice(part.lattice), number_type<Real>(), extents_of(components, part.cells));
   std::vector<Real> numbers(part.size.cast<std::size_t>().prod());
   for (int c = 0; c < components; ++c) {
     fill(c, numbers);
     add_to<Real>(lattice_hash_, part, c, numbers);
-    const Selection selection = select(dataset, start_of(part, c), count_of(part), path_);
-    if (H5Dwrite(dataset, memory_type<Real>(), selection.memory, selection.file,
-                 transfer_mode(H5FD_MPIO_COLLECTIVE, path_), numbers.data()) < 0)
-      throw SolverError(part_name(path_) + ": the checkpoint cannot be written; is the disk full?");
+    dataset.write(place_of(part, c), numbers.data(), Transfer::collective);
   }
 }
 
 void CheckpointWriter::finish() {
-  const std::uint64_t lattice = sum_over_ranks(lattice_hash_.value, communicator_);
-  std::string hash = communicator_.is_root() ? finish_hash(hash_, lattice) : std::string(64, ' ');
-  MPI_Bcast(hash.data(), static_cast<int>(hash.size()), MPI_CHAR, 0, communicator_.get());
-  write_attribute(file_, "sections", sections_);
-  write_attribute(file_, "content_sha256", hash);
-  file_.close_checked(part_name(path_));
+  const std::uint64_t lattices = sum_over_ranks(lattice_hash_.value, communicator_);
+  std::string hash = communicator_.is_root() ? finish_hash(hash_, lattices) : "";
+  broadcast(hash, communicator_);
+  file_.write_attribute("/", "sections", sections_);
+  file_.write_attribute("/", "content_sha256", hash);
+  file_.close_checked();
   MPI_Barrier(communicator_.get());
   if (communicator_.is_root()) {
     if (const int reason = name_finished_file(path_)) {
@@ -307,63 +228,62 @@ CheckpointReader::~CheckpointReader() {
 }
 
 void CheckpointReader::require_undamaged() const {
-  const auto require = [this](bool is_undamaged) {
-    if (!all_agree(is_undamaged, communicator_))
-      throw InputError(
-          path_,
-          fmt::format("the checkpoint is damaged: its contents do not match the stored "
-                      "hash; take the run's other checkpoint (.ckpt.0 or .ckpt.1), or begin without {}",
-                      Setting::restart));
-  };
-  std::string format, hash_on_file;
-  std::uint64_t lattice = 0;
+  const std::string format = attribute("format");
+  std::uint64_t lattices = 0;
   Sha256 hash;
   bool is_read = true;
   try {
-    format = attribute(file_, "format");
-    if (format == format_name) {
-      hash_on_file = attribute(file_, "content_sha256");
-      for (int n = 0; has_lattice(n); ++n) lattice += hash_lattice_part(n);
-      if (communicator_.is_root()) add_sections(hash);
-    }
+    for (int n = 0; format == format_name && file_.contains(name_of_lattice(n)); ++n)
+      lattices += hash_lattice_part(n);
+    if (format == format_name && communicator_.is_root()) add_sections(hash);
   } catch (const std::exception&) {  // for example unreadable data, or sizes that exceed the memory
     is_read = false;
   }
-  require(is_read);
-  if (!all_agree(!format.empty(), communicator_))
-    throw InputError(path_,
-                     "the file is an HDF5 file but not a checkpoint of Beadswim; name FILE.h5md.ckpt.0, "
-                     "FILE.h5md.ckpt.1 or FILE.h5md");
-  if (!all_agree(format == format_name, communicator_))
-    throw InputError(path_, fmt::format("the file does not have the checkpoint format of this program, {}; "
-                                        "continue with the version that wrote the file, or begin without {}",
-                                        format_name, Setting::restart));
-  lattice = sum_over_ranks(lattice, communicator_);
-  require(!communicator_.is_root() || finish_hash(hash, lattice) == hash_on_file);
+  const auto require = [this](bool is_fine, const std::string& fault) {
+    require_on_all_ranks(is_fine, path_, fault, communicator_);
+  };
+  const std::string damaged =
+      "the checkpoint is damaged: its contents do not match the stored hash" + other_checkpoint();
+  require(is_read, damaged);
+  require(!format.empty(),
+          fmt::format("the file is an HDF5 file but not a checkpoint of Beadswim; {}", other_file));
+  require(format == format_name,
+          fmt::format("the file does not have the checkpoint format of this program, {}; continue with the "
+                      "version that wrote the file, or begin without {}",
+                      format_name, Setting::restart));
+  lattices = sum_over_ranks(lattices, communicator_);
+  require(!communicator_.is_root() || finish_hash(hash, lattices) == attribute("content_sha256"), damaged);
 }
 
-void CheckpointReader::add_sections(Sha256& hash) const {
-  std::istringstream sections(attribute(file_, "sections"));
-  for (std::string name; std::getline(sections, name);) {
-    const std::uint64_t all = size(name);
-    begin_section(hash, name, all);
-    for (std::uint64_t done = 0; done < all;) {
-      const std::vector<char> part = bytes(name, done, std::min<std::uint64_t>(max_piece_bytes, all - done));
-      hash.update(std::as_bytes(std::span(part)));
-      done += part.size();
-    }
+std::string CheckpointReader::attribute(const std::string& name) const {
+  try {
+    return file_.read_attribute("/", name).front();
+  } catch (const DataError&) {
+    return "";
   }
 }
 
-bool CheckpointReader::has_lattice(int lattice) const {
-  return H5Lexists(file_, name_of_lattice(lattice).c_str(), H5P_DEFAULT) > 0;
+void CheckpointReader::add_sections(Sha256& hash) const {
+  std::istringstream sections(attribute("sections"));
+  for (std::string name; std::getline(sections, name);) {
+    const std::uint64_t all = size(name);
+    begin_section(hash, name, all);
+    for_each_piece(all, [&](std::uint64_t first, std::uint64_t count) {
+      const std::vector<char> piece = bytes(name, first, count);
+      hash.update(std::as_bytes(std::span(piece)));
+    });
+  }
+}
+
+H5Dataset CheckpointReader::open_lattice(int lattice) const {
+  return file_.open(name_of_lattice(lattice), Extents(4, any_extent));
 }
 
 std::uint64_t CheckpointReader::hash_lattice_part(int lattice) const {
-  const H5Handle dataset(H5Dopen2(file_, name_of_lattice(lattice).c_str(), H5P_DEFAULT), H5Dclose, path_);
-  const H5Handle type(H5Dget_type(dataset), H5Tclose, path_);
-  const auto shape = shape_of<4>(dataset, path_);
-  const Index3 cells(static_cast<int>(shape[3]), static_cast<int>(shape[2]), static_cast<int>(shape[1]));
+  const H5Dataset dataset = open_lattice(lattice);
+  const Extents& extents = dataset.extents();
+  const Index3 cells(static_cast<int>(extents[3]), static_cast<int>(extents[2]),
+                     static_cast<int>(extents[1]));
   const std::int64_t ranks = communicator_.size(), rank = communicator_.rank();
   const auto plane = [&](std::int64_t r) { return static_cast<int>(cells[2] * r / ranks); };
   const LatticePart part{.cells = cells,
@@ -372,10 +292,10 @@ std::uint64_t CheckpointReader::hash_lattice_part(int lattice) const {
                          .lattice = lattice};
   LatticeHash hash;
   const auto add_all = [&]<class Real>(Real) {
-    read_lattice<Real>(part, static_cast<int>(shape[0]),
+    read_lattice<Real>(part, static_cast<int>(extents[0]),
                        [&](int c, std::span<const Real> numbers) { add_to<Real>(hash, part, c, numbers); });
   };
-  if (H5Tget_size(type) == sizeof(float)) {
+  if (dataset.bytes_per_number() == sizeof(float)) {
     add_all(float{});
   } else {
     add_all(double{});
@@ -384,75 +304,43 @@ std::uint64_t CheckpointReader::hash_lattice_part(int lattice) const {
 }
 
 std::uint64_t CheckpointReader::size(const std::string& section) const {
-  const H5Handle dataset(H5Dopen2(file_, section.c_str(), H5P_DEFAULT), H5Dclose, path_ + ":/" + section);
-  return shape_of<1>(dataset, path_ + ":/" + section)[0];
+  return file_.open(section, {any_extent}).extents()[0];
 }
 
 std::vector<char> CheckpointReader::bytes(const std::string& section, std::uint64_t first,
                                           std::uint64_t count) const {
-  if (count == 0) return {};
-  const H5Handle dataset(H5Dopen2(file_, section.c_str(), H5P_DEFAULT), H5Dclose, path_ + ":/" + section);
-  if (first + count > shape_of<1>(dataset, path_ + ":/" + section)[0])
-    throw SolverError(
-        fmt::format("{}:/{}: this dataset of the checkpoint ends too early; take the run's other checkpoint "
-                    "(.ckpt.0 or .ckpt.1), or begin without {}",
-                    path_, section, Setting::restart));
-  std::vector<char> result(count);
-  const Selection selection = select(dataset, std::array{hsize_t(first)}, std::array{hsize_t(count)}, path_);
-  check_hdf5(H5Dread(dataset, H5T_NATIVE_CHAR, selection.memory, selection.file,
-                     transfer_mode(H5FD_MPIO_INDEPENDENT, path_), result.data()),
-             path_ + ":/" + section);
-  return result;
+  return file_.open(section, {any_extent}).read_rows<char>(first, count);
 }
 
 std::string CheckpointReader::text(const std::string& section) const {
-  const std::vector<char> all = bytes(section, 0, size(section));
+  const std::vector<char> all = bytes(section);
   return {all.begin(), all.end()};
 }
 
-void CheckpointReader::copy_to(const std::string& section, int descriptor) const {
+void CheckpointReader::copy_to(const std::string& section, std::FILE* file) const {
   if (!communicator_.is_root()) return;
-  const std::uint64_t all = size(section);
-  const auto require = [&](bool fine) {
-    if (!fine)
+  const auto require = [&](bool is_written) {
+    if (!is_written)
       throw SolverError(fmt::format("the {} that the checkpoint {} contains cannot be copied to a file: {}",
                                     section, path_, std::strerror(errno)));
   };
-  require(ftruncate(descriptor, 0) == 0 && lseek(descriptor, 0, SEEK_SET) == 0);
-  for (std::uint64_t done = 0; done < all;) {
-    const std::vector<char> part = bytes(section, done, std::min<std::uint64_t>(max_piece_bytes, all - done));
-    for (std::size_t written = 0; written < part.size();) {
-      const ssize_t count = write(descriptor, part.data() + written, part.size() - written);
-      if (count < 0 && errno == EINTR) continue;
-      require(count >= 0);
-      written += static_cast<std::size_t>(count);
-    }
-    done += part.size();
-  }
-  require(fsync(descriptor) == 0);
+  std::rewind(file);
+  require(ftruncate(fileno(file), 0) == 0);
+  for_each_piece(size(section), [&](std::uint64_t first, std::uint64_t count) {
+    require(std::fwrite(bytes(section, first, count).data(), 1, count, file) == count);
+  });
+  require(std::fflush(file) == 0 && fsync(fileno(file)) == 0);
 }
 
 template <class Real>
 void CheckpointReader::read_lattice(const LatticePart& part, int components,
                                     const std::function<void(int, std::span<const Real>)>& take) const {
-  const H5Handle dataset(H5Dopen2(file_, name_of_lattice(part.lattice).c_str(), H5P_DEFAULT), H5Dclose,
-                         path_);
-  const std::array wanted{hsize_t(components), hsize_t(part.cells[2]), hsize_t(part.cells[1]),
-                          hsize_t(part.cells[0])};
-  if (shape_of<4>(dataset, path_) != wanted)
-    throw SolverError(path_ +
-                      fmt::format(": the lattice in the checkpoint has other dimensions than the lattice of "
-                                  "this run; take the run's other checkpoint (.ckpt.0 or .ckpt.1), or "
-                                  "begin without {}",
-                                  Setting::restart));
+  const H5Dataset dataset = open_lattice(part.lattice);
+  if (dataset.extents() != extents_of(components, part.cells))
+    throw DataError(path_, "the lattice in the checkpoint has other dimensions than the lattice of this run");
   std::vector<Real> numbers(part.size.cast<std::size_t>().prod());
   for (int c = 0; c < components; ++c) {
-    if (!numbers.empty()) {
-      const Selection selection = select(dataset, start_of(part, c), count_of(part), path_);
-      check_hdf5(H5Dread(dataset, memory_type<Real>(), selection.memory, selection.file,
-                         transfer_mode(H5FD_MPIO_INDEPENDENT, path_), numbers.data()),
-                 path_);
-    }
+    dataset.read(place_of(part, c), numbers.data());
     take(c, numbers);
   }
 }

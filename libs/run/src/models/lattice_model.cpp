@@ -5,7 +5,7 @@
 #include <cmath>
 #include <new>
 
-#include "beadswim/core/error.hpp"
+#include "beadswim/core/data_error.hpp"
 #include "beadswim/coupling/conservation.hpp"
 #include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
@@ -52,7 +52,7 @@ BeadMotion extrapolated(BeadMotion bead, const BeadVelocity& next, double ahead)
   return bead;
 }
 
-/// Returns the scene with the levels of a checkpoint. Throws SolverError if they cannot be those of the run.
+/// Returns the scene with the levels of a checkpoint. Throws DataError if they cannot be those of the run.
 CoupledScene with_levels(CoupledScene scene, const std::vector<std::array<int, 6>>& levels,
                          const std::string& path) {
   const Block coarsest = scene.levels.front();
@@ -65,9 +65,7 @@ CoupledScene with_levels(CoupledScene scene, const std::vector<std::array<int, 6
     fits = fits && !block.is_empty() && (block.size <= scene.cells).all();
   }
   if (fits && scene.levels.front() == coarsest) return scene;
-  throw SolverError(path +
-                    ": the levels of cells in the checkpoint are damaged; take the run's other "
-                    "checkpoint (.ckpt.0 or .ckpt.1), or begin without --restart");
+  throw DataError(path, "the levels of cells in the checkpoint are damaged");
 }
 
 }  // namespace

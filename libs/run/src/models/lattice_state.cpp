@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "beadswim/core/data_error.hpp"
 #include "beadswim/coupling/swimmer_snapshot.hpp"
 
 namespace beadswim {
@@ -54,13 +55,11 @@ bool is_sound(const SwimmerSnapshot& snapshot, const PlacedSwimmer& of_scene, st
 }
 
 [[noreturn]] void throw_other_swimmers(const CheckpointReader& file) {
-  throw SolverError(file.path() +
-                    ": the checkpoint contains other swimmers than the layout; take the run's other "
-                    "checkpoint (.ckpt.0 or .ckpt.1), or begin without --restart");
+  throw DataError(file.path(), "the checkpoint contains other swimmers than the layout");
 }
 
 /// Reads the swimmers of a checkpoint in chunks and returns those swimmers that this rank owns. Throws
-/// SolverError if the checkpoint contains the swimmers of another scene.
+/// DataError if the checkpoint contains the swimmers of another scene.
 std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const CoupledSystem& system) {
   const CoupledScene& scene = system.scene();
   const auto size_of = [&](const PlacedSwimmer& swimmer) {

@@ -11,6 +11,7 @@
 #include "beadswim/overdamped/near_wall_error.hpp"
 #include "beadswim/run/percent.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
+#include "checkpoint_sections.hpp"
 #include "record/record.hpp"
 
 namespace beadswim {
@@ -260,16 +261,12 @@ void OverdampedModel::restore(long steps_done, IncomingMessage& history, const C
   OverdampedState state;
   state.steps_done = steps_done;
   history(state);
-  IncomingMessage message(checkpoint.bytes(beads_section, 0, checkpoint.size(beads_section)));
+  IncomingMessage message(checkpoint.bytes(beads_section));
   OverdampedState::visit_bead_fields([&](const char*, auto& lists) { message(lists); }, state);
-  if (!message.is_at_end())
-    throw SolverError(
-        "the positions of beads in the checkpoint were written by another version of the program; continue "
-        "with that version, "
-        "or begin without --restart");
+  if (!message.is_at_end()) refuse_other_version(checkpoint);
   system_.restore(std::move(state));
   if (!plan_.scene.memory) return;
-  IncomingMessage bytes(checkpoint.bytes(memory_section, 0, checkpoint.size(memory_section)));
+  IncomingMessage bytes(checkpoint.bytes(memory_section));
   std::vector<double> memory;
   bytes(memory);
   system_.restore_memory(memory);

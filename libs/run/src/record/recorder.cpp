@@ -11,7 +11,7 @@
 
 #include "beadswim/compare/driving_power.hpp"
 #include "beadswim/compare/swimming.hpp"
-#include "beadswim/core/error.hpp"
+#include "beadswim/core/data_error.hpp"
 #include "beadswim/core/setting.hpp"
 
 namespace beadswim {
@@ -309,16 +309,11 @@ void Recorder::restore(std::vector<char> state, long steps_done) {
     IncomingMessage message(std::move(state));
     try {
       transfer(message);
-    } catch (const SolverError&) {
-      throw SolverError(
-          "the run record in the checkpoint is incomplete; take the run's other checkpoint (.ckpt.0 or "
-          ".ckpt.1), or begin without --restart");
+    } catch (const DataError&) {
+      throw DataError("the run record in the checkpoint is incomplete");
     }
     if (!message.is_at_end() || !is_consistent_with(steps_done))
-      throw SolverError(
-          "the run record in the checkpoint belongs to another run; take the run's other checkpoint (.ckpt.0 "
-          "or .ckpt.1), or begin without "
-          "--restart");
+      throw DataError("the run record in the checkpoint belongs to another run");
   }
   MPI_Bcast(&next_frame_, 1, MPI_LONG, 0, communicator_.get());
 }

@@ -54,7 +54,7 @@ class Recorder {
   /// Collective.
   std::vector<char> state();
   /// Restores the recorder of a run that had completed `steps_done` time steps. `state` is used on rank 0
-  /// only. Throws SolverError if the state belongs to another run.
+  /// only. Throws DataError if the state belongs to another run.
   void restore(std::vector<char> state, long steps_done);
 
  private:

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "beadswim/core/error.hpp"
+#include "beadswim/core/data_error.hpp"
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
@@ -112,7 +112,7 @@ class OutgoingMessage {
 };
 
 /// Message that is read: message(value, ...) assigns the next values. They must have the types and the order
-/// in which an OutgoingMessage wrote them. Throws SolverError if the bytes are too few or damaged.
+/// in which an OutgoingMessage wrote them. Throws DataError if the bytes are too few or damaged.
 class IncomingMessage {
  public:
   explicit IncomingMessage(std::vector<char> bytes) : bytes_(std::move(bytes)) {}
@@ -129,9 +129,7 @@ class IncomingMessage {
   template <PlainValue T>
   void get(T& value) {
     if (bytes_left() < sizeof(T))
-      throw SolverError(
-          "data from another rank or from a checkpoint end too early; if the run continues a checkpoint, "
-          "take the run's other checkpoint (.ckpt.0 or .ckpt.1)");
+      throw DataError("data from another rank or from a checkpoint end too early");
     std::memcpy(&value, bytes_.data() + read_, sizeof(T));
     read_ += sizeof(T);
   }
@@ -151,9 +149,7 @@ class IncomingMessage {
     std::size_t size = 0;
     get(size);
     if (size > bytes_left())
-      throw SolverError(
-          "data from another rank or from a checkpoint end too early; if the run continues a checkpoint, "
-          "take the run's other checkpoint (.ckpt.0 or .ckpt.1)");
+      throw DataError("data from another rank or from a checkpoint end too early");
     list.resize(size);
     for (T& value : list) get(value);
   }
@@ -162,9 +158,7 @@ class IncomingMessage {
     std::uint8_t has_value = 0;  // not bool, because a damaged file may contain any byte
     get(has_value);
     if (has_value > 1)
-      throw SolverError(
-          "data from another rank or from a checkpoint are damaged; if the run continues a checkpoint, take "
-          "the run's other checkpoint (.ckpt.0 or .ckpt.1)");
+      throw DataError("data from another rank or from a checkpoint are damaged");
     if (has_value == 1) get(value.emplace());
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <exception>
 #include <functional>
 #include <span>
@@ -50,8 +51,8 @@ class CheckpointWriter {
 
   /// Adds a section with the bytes of rank 0. The argument `bytes` of other ranks is ignored.
   void add(const std::string& section, std::span<const char> bytes);
-  /// Adds a section with the contents of a file that rank 0 reads.
-  void add_file(const std::string& section, const std::string& path);
+  /// Adds a section with the contents of a file, which is open on rank 0.
+  void add_file(const std::string& section, std::FILE* file);
   /// Adds `components` numbers per lattice cell, of the type Real (float or double). `part` contains the
   /// cells of this rank. fill(c, numbers) must store component c of all these cells in `numbers`, with x as
   /// the fastest index.
@@ -63,19 +64,24 @@ class CheckpointWriter {
   void finish();
 
  private:
-  H5Handle create(const std::string& name, hid_t type, std::span<const hsize_t> shape);
-  void write_bytes(const H5Handle& dataset, hsize_t first, std::span<const char> bytes);
+  /// Returns the bytes [first, first + count) of a section that is written. Called on rank 0.
+  using Piece = std::function<std::span<const char>(std::uint64_t first, std::uint64_t count)>;
+  void add_pieces(const std::string& section, std::uint64_t size, const Piece& piece);
 
   std::string path_;
   const Communicator& communicator_;
-  H5Handle file_;
+  H5File file_;
   Sha256 hash_;  ///< hash of all sections added so far, on rank 0
   LatticeHash lattice_hash_;
   std::string sections_;
   bool is_finished_ = false;
 };
 
-/// Reads a checkpoint.
+/// Calls read(), which reads a checkpoint. If it throws DataError, throws SolverError with the same message
+/// and the remedy: the other checkpoint of the run, or a new run.
+void with_checkpoint_remedy(const std::function<void()>& read);
+
+/// Reads a checkpoint. All functions throw DataError if the contents are not as expected.
 class CheckpointReader {
  public:
   /// Opens a checkpoint and verifies its hash. Throws the same InputError on all ranks if the file is not a
@@ -89,24 +95,26 @@ class CheckpointReader {
 
   /// Returns the size of a section [byte].
   std::uint64_t size(const std::string& section) const;
-  /// Returns the bytes [first, first + count) of a section, on every rank. Throws SolverError if the section
-  /// is shorter than first + count bytes.
+  /// Returns the bytes [first, first + count) of a section, on every rank.
   std::vector<char> bytes(const std::string& section, std::uint64_t first, std::uint64_t count) const;
+  /// Returns all bytes of a section, on every rank.
+  std::vector<char> bytes(const std::string& section) const { return bytes(section, 0, size(section)); }
   std::string text(const std::string& section) const;
-  /// Replaces the contents of a file by a section, on rank 0. `descriptor` is the file descriptor of the open
-  /// file on rank 0. Other ranks do nothing.
-  void copy_to(const std::string& section, int descriptor) const;
+  /// Replaces the contents of a file, which is open on rank 0, by a section. Other ranks do nothing. Throws
+  /// SolverError if the file cannot be written.
+  void copy_to(const std::string& section, std::FILE* file) const;
   /// Reads the numbers of the lattice cells in `part`, which may differ between ranks. Calls take(c, numbers)
-  /// for each component c; `numbers` has x as the fastest index. Throws SolverError if the lattice in the
-  /// file has another size.
+  /// for each component c; `numbers` has x as the fastest index.
   template <class Real>
   void read_lattice(const LatticePart& part, int components,
                     const std::function<void(int, std::span<const Real>)>& take) const;
 
  private:
   void require_undamaged() const;
+  /// Returns the text of an attribute of the file; empty if it does not exist.
+  std::string attribute(const std::string& name) const;
   void add_sections(Sha256& hash) const;
-  bool has_lattice(int lattice) const;
+  H5Dataset open_lattice(int lattice) const;
   /// Returns the hash of the planes z = const of a lattice that this rank reads. The planes are divided
   /// evenly among all ranks.
   std::uint64_t hash_lattice_part(int lattice) const;
@@ -114,7 +122,7 @@ class CheckpointReader {
   std::string path_;
   const Communicator& communicator_;
   int exceptions_ = std::uncaught_exceptions();  ///< number of active exceptions at construction
-  H5Handle file_;
+  H5File file_;
 };
 
 }  // namespace beadswim

@@ -20,8 +20,6 @@
 
 namespace beadswim {
 
-constexpr hsize_t any_width = 0;  ///< of a column that is to be read, see Column::shape
-
 /// Values of one field of several records.
 struct Column {
   std::string name;
@@ -44,15 +42,21 @@ inline std::span<double> numbers_of(std::vector<double>& numbers) {
   return numbers;
 }
 
-/// Calls handle(name, numbers) for each field of the record that becomes a column. `numbers` refers to the
-/// values of the field in this record.
+/// Calls handle(name, field) for each field of the record that becomes a column.
 template <HasFields Record>
 void visit_columns(auto&& handle, Record& record) {
   visit_fields(
       [&]<class Field, class... Marks>(const char* name, Field& field, Marks...) {
-        if constexpr (!has_mark<NotAColumn, Marks...>) handle(name, numbers_of(field));
+        if constexpr (!has_mark<NotAColumn, Marks...>) handle(name, field);
       },
       record);
+}
+
+/// Calls handle(column, numbers) for each column and the values of its field in the record.
+template <HasFields Record>
+void visit_columns(auto& columns, Record& record, auto&& handle) {
+  auto column = columns.begin();
+  visit_columns([&](const char*, auto& field) { handle(*column++, numbers_of(field)); }, record);
 }
 
 /// Converts records to columns that are as wide as the fields of `example` and of all records. If there are
@@ -60,36 +64,24 @@ void visit_columns(auto&& handle, Record& record) {
 template <HasFields Record>
 std::vector<Column> columns_of(std::vector<Record> records, Record example = {}) {
   std::vector<Column> columns;
-  visit_fields(
-      [&]<class Field, class... Marks>(const char* name, Field& field, Marks...) {
-        if constexpr (!has_mark<NotAColumn, Marks...>) {
-          Column& column = columns.emplace_back();
-          column.name = name;
-          if (!std::same_as<Field, double>) column.shape = {numbers_of(field).size()};
-        }
+  visit_columns(
+      [&]<class Field>(const char* name, Field& field) {
+        std::vector<hsize_t> shape{numbers_of(field).size()};
+        if (std::same_as<Field, double>) shape.clear();
+        columns.push_back({.name = name, .shape = std::move(shape), .numbers = {}});
       },
       example);
-  for (Record& record : records) {
-    auto column = columns.begin();
-    visit_columns(
-        [&](const char*, std::span<double> numbers) {
-          if (!column->shape.empty()) column->shape[0] = std::max<hsize_t>(column->shape[0], numbers.size());
-          ++column;
-        },
-        record);
-  }
-  for (Record& record : records) {
-    auto column = columns.begin();
-    visit_columns(
-        [&](const char*, std::span<double> numbers) {
-          const std::size_t width = column->shape.empty() ? 1 : column->shape[0];
-          column->numbers.insert(column->numbers.end(), numbers.begin(), numbers.end());
-          column->numbers.resize(column->numbers.size() + width - numbers.size(),
-                                 std::numeric_limits<double>::quiet_NaN());
-          ++column;
-        },
-        record);
-  }
+  for (Record& record : records)
+    visit_columns(columns, record, [](Column& column, std::span<double> numbers) {
+      if (!column.shape.empty()) column.shape[0] = std::max<hsize_t>(column.shape[0], numbers.size());
+    });
+  for (Record& record : records)
+    visit_columns(columns, record, [](Column& column, std::span<double> numbers) {
+      const std::size_t width = column.shape.empty() ? 1 : column.shape[0];
+      column.numbers.insert(column.numbers.end(), numbers.begin(), numbers.end());
+      column.numbers.resize(column.numbers.size() + width - numbers.size(),
+                            std::numeric_limits<double>::quiet_NaN());
+    });
   return columns;
 }
 
@@ -97,21 +89,13 @@ std::vector<Column> columns_of(std::vector<Record> records, Record example = {})
 /// not_a_column keep their default values.
 template <HasFields Record>
 std::vector<Record> records_of(const std::vector<Column>& columns, std::size_t count) {
-  Record example;
-  auto shape = columns.begin();
-  visit_fields(
-      [&]<class Field, class... Marks>(const char*, Field& field, Marks...) {
-        if constexpr (!has_mark<NotAColumn, Marks...>) {
-          if constexpr (std::same_as<Field, std::vector<double>>) field.resize(shape->shape[0]);
-          ++shape;
-        }
-      },
-      example);
-  std::vector<Record> records(count, example);
+  std::vector<Record> records(count);
   for (std::size_t i = 0; i < count; ++i) {
     auto column = columns.begin();
     visit_columns(
-        [&](const char*, std::span<double> numbers) {
+        [&]<class Field>(const char*, Field& field) {
+          if constexpr (std::same_as<Field, std::vector<double>>) field.resize(column->shape[0]);
+          const std::span<double> numbers = numbers_of(field);
           std::copy_n(column->numbers.begin() + i * numbers.size(), numbers.size(), numbers.begin());
           ++column;
         },
@@ -125,8 +109,8 @@ template <HasFields Record>
 Record record_of_nan() {
   Record record;
   visit_columns(
-      [](const char*, std::span<double> numbers) {
-        std::ranges::fill(numbers, std::numeric_limits<double>::quiet_NaN());
+      [](const char*, auto& field) {
+        std::ranges::fill(numbers_of(field), std::numeric_limits<double>::quiet_NaN());
       },
       record);
   return record;

@@ -12,6 +12,7 @@
 
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/temporary_file.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
 #include "beadswim/io/columns.hpp"
@@ -33,7 +34,7 @@ struct TrajectoryHeader {
   /// Names of the units of length and time, which become attributes "unit"; empty: no attributes.
   std::string length_unit{}, time_unit{};
   std::string creator_version;
-  std::map<std::string, std::string> parameters;  ///< texts of the group /parameters: layout, units, ...
+  std::string layout{};  ///< layout document of the run, as JSON text
   std::vector<Column>
       cycle_columns{};  ///< names and shapes of the columns of TrajectoryCycle, without numbers
 
@@ -99,52 +100,29 @@ class TrajectoryWriter {
 
   // The remaining functions are for rank 0.
 
-  /// A dataset to which rows are appended.
-  struct Series {
-    H5Handle dataset;
-    std::vector<hsize_t> row;  ///< shape of one row
-    hid_t type;                ///< type of the numbers in memory
-    hsize_t rows = 0;
-  };
-
-  /// Datasets of steps and times that several time-dependent quantities share, because they are sampled at
-  /// the same times. The group of each of these quantities contains links to the two datasets.
-  struct Sampling {
-    std::string step_name, time_name;  ///< paths of the datasets of steps and times in the file
-  };
-
-  /// File descriptor of rank 0 that locks the file until the object is destroyed.
-  struct Lock {
-    explicit Lock(int locked) : descriptor(locked) {}
-    ~Lock();
-    Lock(const Lock&) = delete;
-    Lock& operator=(const Lock&) = delete;
-    int descriptor;
-  };
-
   void open(const TrajectoryHeader& header);
-  void write_metadata(const TrajectoryHeader& header);
-  void write_units(const TrajectoryHeader& header);
-  void create_groups(const TrajectoryHeader& header);
-  /// Adds a series to series_. Creates its dataset, or opens the existing dataset if the file comes from a
-  /// checkpoint.
-  void add_series(const std::string& name, hid_t type, std::vector<hsize_t> row);
-  H5Handle create_series(const std::string& name, hid_t type, const std::vector<hsize_t>& row);
+  /// Adds a dataset to series_. Creates it, or opens it if the file comes from a checkpoint.
+  void add_series(const std::string& name, hid_t type, const Extents& row);
   /// Adds the group of a time-dependent quantity (an H5MD element), with the datasets value, step and time.
-  void add_element(Sampling& sampling, const std::string& name, hid_t type, std::vector<hsize_t> row);
-  void append_row(const std::string& name, const void* data);
-  void flush() const;
-  /// Throws SolverError if `status` indicates a failure of HDF5.
-  void require_written(herr_t status) const;
+  /// Quantities that are sampled at the same times share step and time: `sampling` is the name of the first
+  /// of these quantities, and the groups of the others contain links.
+  void add_element(std::string& sampling, const std::string& name, hid_t type, const Extents& row);
+  template <class Number>
+  void append_row(const std::string& name, const Number* numbers) {
+    series_.at(name).append_row(numbers);
+  }
+  /// Appends step and time of a sampling after all other data are written: on a full disk, no row has a time
+  /// before its numbers are written.
+  void append_time(const std::string& sampling, std::int64_t step, double time);
 
   std::string path_;
   const Communicator& communicator_;
   std::optional<Box> box_;
   bool continues_checkpoint_;  ///< true if the file comes from a checkpoint
-  Lock lock_;
-  H5Handle file_;
-  std::map<std::string, Series> series_;  ///< keys: paths in the file
-  Sampling frames_, cycles_;
+  OpenFile lock_;              ///< locks the file for this process until it is closed
+  std::optional<H5File> file_;
+  std::map<std::string, H5Dataset> series_;  ///< keys: names in the file
+  std::string frames_, cycles_;              ///< samplings of frames and of cycles
 };
 
 }  // namespace beadswim

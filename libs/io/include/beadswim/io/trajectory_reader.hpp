@@ -25,39 +25,18 @@ class TrajectoryReader {
   TrajectoryFrame frame(std::size_t index) const;
 
   /// Returns the cycle quantities of all swimmers at the end of each base cycle (docs/notation.md, base
-  /// period). `columns` contains the names and shapes of the columns. Returns an empty list for files of
-  /// older versions without these quantities.
+  /// period). `columns` contains the names and shapes of the columns.
   std::vector<TrajectoryCycle> cycles(const std::vector<Column>& columns) const;
 
  private:
-  /// A dataset of numbers with one row per frame or per bead.
-  struct Table {
-    std::string place;  ///< "FILE:/NAME", for messages
-    H5Handle dataset;
-    std::vector<hsize_t> extents;
-  };
-
-  Table open_table(const std::string& name, std::vector<hsize_t> row) const;
-  Table open_series(const std::string& name, std::vector<hsize_t> row);
-  template <typename Number>
-  static std::vector<Number> read_raw_rows(const Table& table, hsize_t first, hsize_t count);
-  template <typename Number>
-  static std::vector<Number> read_rows(const Table& table, hsize_t first, hsize_t count);
-  template <typename Number>
-  std::vector<Number> read_all(const std::string& name) const;
-  std::vector<Vec3> vectors(const Table& table, std::size_t frame) const;
-  std::string text(const std::string& name) const;
-  std::map<std::string, std::string> texts(const std::string& group) const;
-  std::array<Boundary, 3> boundary() const;
+  H5Dataset open_series(const std::string& name, Extents row);
   std::optional<Box> box(std::size_t frame) const;
   void read_header();
-  void require_complete_swimmers() const;
 
-  std::string path_;
-  H5Handle file_;
+  H5File file_;
   std::size_t frames_, begun_frames_ = 0;
   std::size_t beads_;
-  Table step_, time_, edges_, position_, image_, velocity_, mean_flow_, momentum_;
+  H5Dataset step_, time_, edges_, position_, image_, velocity_, mean_flow_, momentum_;
   std::array<Boundary, 3> boundary_;
   TrajectoryHeader header_;
 };
