@@ -9,7 +9,7 @@ packages=(
   g++ cmake ninja-build pkg-config git                                   # build
   openmpi-bin libopenmpi-dev libhdf5-openmpi-dev hdf5-tools              # parallel runs and files
   libeigen3-dev libcli11-dev nlohmann-json3-dev libvalijson-dev          # libraries
-  libfmt-dev libssl-dev libfftw3-dev libboost-dev libnanoflann-dev libnlopt-cxx-dev
+  libfmt-dev libssl-dev libfftw3-dev libboost-dev libnlopt-cxx-dev
   libgtest-dev libgmock-dev libsundials-dev                              # tests
   libbenchmark-dev                                                       # beadswim-bench
   librsvg2-bin fonts-dejavu-core                                         # figures as PNG

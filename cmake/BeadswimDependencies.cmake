@@ -15,7 +15,6 @@ find_package(nlohmann_json 3.11 REQUIRED CONFIG)
 find_package(valijson REQUIRED CONFIG)
 find_package(fmt 9 REQUIRED CONFIG)
 find_package(Boost 1.74 REQUIRED)  # headers only, for Boost.Math
-find_package(nanoflann 1.4 REQUIRED CONFIG)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)

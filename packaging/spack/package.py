@@ -31,7 +31,6 @@ class Beadswim(CMakePackage):
     depends_on("fmt@9:")
     depends_on("eigen@3.4:")
     depends_on("boost@1.74:+math")
-    depends_on("nanoflann@1.4:")
     depends_on("nlopt")
     depends_on("cli11@2.1:")
     depends_on("nlohmann-json@3.11:")

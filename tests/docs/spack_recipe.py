@@ -14,7 +14,7 @@ import types
 PACKAGES = {
     "MPI": "mpi", "HDF5": "hdf5", "Eigen3": "eigen", "CLI11": "cli11", "nlohmann_json": "nlohmann-json", "valijson": "valijson",
     "fmt": "fmt", "PkgConfig": "pkgconfig", "OpenSSL": "openssl", "benchmark": "benchmark", "GTest": "googletest",
-    "SUNDIALS": "sundials", "FFTW": "fftw", "Boost": "boost", "nanoflann": "nanoflann", "NLOPT": "nlopt",
+    "SUNDIALS": "sundials", "FFTW": "fftw", "Boost": "boost", "NLOPT": "nlopt",
 }
 
 

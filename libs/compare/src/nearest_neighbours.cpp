@@ -3,65 +3,54 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nanoflann.hpp>
+#include <numeric>
 
-// A k-d tree finds the neighbours (Friedman, Bentley and Finkel 1977). Its cost is O(N log N) for any
-// distribution of the points. A cell list would need a cell size that suits the distribution.
+// The points are sorted along one axis. The search for the neighbours of a point goes from its place in both
+// directions until the distance along this axis exceeds the smallest distance found. The cost is O(N^(5/3))
+// for points that fill a volume. Unlike that of cells, it does not depend on the extent of the points: one of
+// them may be far away from the others.
 
 namespace beadswim {
 namespace {
 
-using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Points, 3, nanoflann::metric_L2_Simple>;
-
-/// Result set for nanoflann that finds the smallest squared distance to a point other than `self`.
-struct NearestOther {
-  using DistanceType = double;
-  using IndexType = Tree::IndexType;
-  IndexType self;
-  double squared_distance;
-
-  bool full() const { return true; }
-  double worstDist() const { return squared_distance * (1 + 1e-12); }  // margin for roundoff in the search
-  bool addPoint(double squared, IndexType point) {
-    if (point != self) squared_distance = std::min(squared_distance, squared);
-    return squared_distance > 0;  // false ends the search: no point can be closer than distance 0
-  }
-};
-
-/// Wraps the periodic coordinates of a point into the box centred at the origin. std::remainder is exact.
-Vec3 wrap_point(Vec3 place, const std::optional<Box>& box) {
-  for (int axis = 0; axis < 3 && box; ++axis) {
-    if (box->is_periodic(axis)) place[axis] = std::remainder(place[axis], box->lengths[axis]);
-  }
-  return place;
+/// Periods along the three axes [length]; infinity: not periodic.
+Vec3 periods_of(const std::optional<Box>& box) {
+  Vec3 periods = Vec3::Constant(std::numeric_limits<double>::infinity());
+  for (int axis = 0; axis < 3 && box; ++axis)
+    if (box->is_periodic(axis)) periods[axis] = box->lengths[axis];
+  return periods;
 }
 
-/// Returns the displacements from a box to itself and to its adjacent periodic images, at most 27. Along each
-/// axis, the coordinates of two wrapped points differ by at most one period. Images that are further away are
-/// therefore never the nearest.
-std::vector<Vec3> shifts_to_images(const std::optional<Box>& box) {
-  std::vector<Vec3> shifts{Vec3::Zero()};
-  for (int axis = 0; axis < 3 && box; ++axis) {
-    if (!box->is_periodic(axis)) continue;
-    const std::size_t count = shifts.size();
-    for (const double sign : {-1.0, 1.0}) {
-      for (std::size_t i = 0; i < count; ++i) {
-        shifts.push_back(shifts[i] + sign * box->lengths[axis] * Vec3::Unit(axis));
-      }
+/// Returns the squared distance of two points that are in a box centred at the origin, or of their nearest
+/// periodic images. Along each axis, the coordinates of the points differ by at most one period, so that only
+/// adjacent images can be the nearest.
+double squared_distance(const Vec3& a, const Vec3& b, const Vec3& periods) {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double along = std::min({std::abs(a[axis] - b[axis]), std::abs(a[axis] + periods[axis] - b[axis]),
+                                   std::abs(a[axis] - periods[axis] - b[axis])});
+    sum += along * along;
+  }
+  return sum;
+}
+
+/// Returns the smallest squared distance between the point `start` and the other points, or `limit` if none
+/// is closer. `places`: in a box centred at the origin, sorted along `axis`; `step`: 1 searches upwards, -1
+/// downwards along the axis.
+double smallest_squared_distance(const std::vector<Vec3>& places, const Vec3& periods, int axis,
+                                 std::ptrdiff_t start, int step, double limit) {
+  const std::ptrdiff_t count = std::ssize(places);
+  double shift = 0;  // of the periodic image that is searched
+  for (std::ptrdiff_t t = start + step, visited = 1; visited < count && limit > 0; ++visited, t += step) {
+    if (t < 0 || t == count) {
+      t -= step * count;
+      shift += step * periods[axis];
     }
+    const double along = places[start][axis] - shift - places[t][axis];  // rounded as in squared_distance()
+    if (along * along >= limit) break;
+    limit = std::min(limit, squared_distance(places[start], places[t], periods));
   }
-  return shifts;
-}
-
-/// Returns the distance from a point to its own nearest periodic image [length]; infinity in open space or
-/// between walls.
-double shortest_period(const std::optional<Box>& box) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3 && box; ++axis) {
-    if (box->is_periodic(axis)) shortest = std::min(shortest, box->lengths[axis]);
-  }
-  return shortest;
+  return limit;
 }
 
 }  // namespace
@@ -71,20 +60,22 @@ std::vector<double> nearest_neighbour_distances(std::span<const Vec3> points, co
   if (points.empty() || !std::ranges::all_of(points, [](const Vec3& p) { return p.allFinite(); }))
     return distances;
 
-  Points places(points.size(), 3);
-  for (std::size_t i = 0; i < points.size(); ++i) places.row(i) = wrap_point(points[i], box);
-  const Tree tree(3, places);
-  const Eigen::AlignedBox3d extent(places.colwise().minCoeff(), places.colwise().maxCoeff());
-  const std::vector<Vec3> shifts = shifts_to_images(box);
-  const double own_image = shortest_period(box);
-  for (Eigen::Index i = 0; i < places.rows(); ++i) {
-    NearestOther nearest{i, own_image * own_image};
-    for (const Vec3& shift : shifts) {
-      const Vec3 image = places.row(i).transpose() + shift;
-      if (extent.squaredExteriorDistance(image) < nearest.squared_distance)
-        tree.index->findNeighbors(nearest, image.data(), nanoflann::SearchParams());
-    }
-    distances[i] = std::sqrt(nearest.squared_distance);
+  const Vec3 periods = periods_of(box);
+  Eigen::AlignedBox3d extent;
+  const auto wrap = [&](int axis, std::size_t i) { return std::remainder(points[i][axis], periods[axis]); };
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (const std::size_t i : order) extent.extend(Vec3(wrap(0, i), wrap(1, i), wrap(2, i)));
+  int axis = 0;
+  extent.sizes().maxCoeff(&axis);
+  std::ranges::sort(order, {}, [&](std::size_t i) { return wrap(axis, i); });
+  std::vector<Vec3> places;
+  for (const std::size_t i : order) places.emplace_back(wrap(0, i), wrap(1, i), wrap(2, i));
+  for (std::ptrdiff_t s = 0; s < std::ssize(order); ++s) {
+    double nearest = periods.minCoeff() * periods.minCoeff();  // to the point's own image
+    for (const int step : {1, -1})
+      nearest = smallest_squared_distance(places, periods, axis, s, step, nearest);
+    distances[order[s]] = std::sqrt(nearest);
   }
   return distances;
 }
