@@ -67,12 +67,7 @@ inline CollinearSwimmer in_units(const CollinearSwimmer& s, double length, doubl
 
 /// Returns a question for a swimmer in unbounded fluid of density 1.
 inline Question ask(const CollinearSwimmer& swimmer) {
-  return with_exact_reference({.swimmer = swimmer,
-                               .fluid_density = 1,
-                               .box = {},
-                               .box_obstacle = "",
-                               .measured_stroke = {},
-                               .exact = {}});
+  return with_exact_reference({.swimmer = swimmer, .fluid_density = 1});
 }
 
 inline Prediction prediction_of(const std::string& method, const CollinearSwimmer& swimmer) {

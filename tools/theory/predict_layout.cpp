@@ -52,11 +52,9 @@ TheorySwimmer theory_swimmer(const Layout& layout, const Swimmer& swimmer, const
 }
 
 const Swimmer& find_swimmer(const Layout& layout, int id, const std::string& source) {
-  const auto& swimmers = layout.swimmers;
-  const auto found =
-      std::find_if(swimmers.begin(), swimmers.end(), [&](const Swimmer& s) { return s.id == id; });
-  if (found != swimmers.end()) return *found;
-  const auto [lowest, highest] = std::ranges::minmax_element(swimmers, {}, &Swimmer::id);
+  const auto found = std::ranges::find(layout.swimmers, id, &Swimmer::id);
+  if (found != layout.swimmers.end()) return *found;
+  const auto [lowest, highest] = std::ranges::minmax_element(layout.swimmers, {}, &Swimmer::id);
   throw InputError("--swimmer",
                    fmt::format("the layout {} has no swimmer with the id {}; the ids range from {} to {}",
                                source, id, lowest->id, highest->id));
@@ -157,20 +155,17 @@ void predict_by(const std::vector<std::string>& names, const auto& question, Pre
 /// Throws InputError if a measured stroke was given, but no method of the predictions uses it.
 void check_stroke_is_used(const PredictionDocument& document, const Question& question) {
   if (!question.measured_stroke) return;
-  std::vector<std::string> users, reasons;
-  for (const Method& method : methods()) {
-    if (method.uses_stroke()) users.push_back(method.name);
-  }
-  const auto uses_it = [&](const Prediction& prediction) {
-    return std::find(users.begin(), users.end(), prediction.method) != users.end();
-  };
-  if (std::any_of(document.predictions.begin(), document.predictions.end(), uses_it)) return;
+  const auto uses_it = [](const std::string& method) { return find_method(method).uses_stroke(); };
+  if (std::ranges::any_of(document.predictions, uses_it, &Prediction::method)) return;
   for (const LeftOutMethod& left_out : document.left_out) {
-    if (std::find(users.begin(), users.end(), left_out.method) == users.end()) continue;
+    if (!uses_it(left_out.method)) continue;
     throw InputError("--stroke-from",
                      fmt::format("no method can use the measured stroke; {}, for example, cannot because {}",
                                  left_out.method, left_out.reason));
   }
+  std::vector<std::string> users;
+  for (const Method& method : methods())
+    if (method.uses_stroke()) users.push_back(method.name);
   throw InputError("--stroke-from",
                    fmt::format("none of the named methods uses a measured stroke; add one of {} to --method",
                                fmt::join(users, ", ")));
@@ -184,8 +179,6 @@ void predict_line(const CollinearSwimmer& line, const Layout& layout, const Swim
                                             .fluid_density = layout.fluid.density,
                                             .box = surroundings.box,
                                             .box_obstacle = surroundings.obstacle,
-                                            .measured_stroke = {},
-                                            .exact = {},
                                             .units = units});
   if (measured) question.measured_stroke = stroke_for(layout, question.swimmer, *measured, units);
   predict_by(request.methods, question, predicted);

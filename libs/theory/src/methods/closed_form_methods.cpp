@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "beadswim/core/setting.hpp"
 #include "beadswim/mobility/oseen.hpp"
@@ -22,7 +24,11 @@ bool equal(double a, double b) {
   return std::abs(a - b) <= roundoff * std::abs(a);
 }
 
-std::optional<std::string> unequal_shape(const CollinearSwimmer& swimmer, const UnitScales& units) {
+/// Returns why closed forms for equal beads and equal arms cannot treat the question; nullopt if they can.
+std::optional<std::string> unequal_shape(const Question& question) {
+  if (auto obstacle = overlap_obstacle(question)) return obstacle;
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const UnitScales& units = question.units;
   const auto& radius = swimmer.radius;
   if (!equal(radius[0], radius[1]) || !equal(radius[0], radius[2])) {
     return fmt::format("the bead radii {}, {}, {} differ, but the closed form requires equal radii; {}",
@@ -35,7 +41,11 @@ std::optional<std::string> unequal_shape(const CollinearSwimmer& swimmer, const 
   return std::nullopt;
 }
 
-std::optional<std::string> unequal_response(const CollinearSwimmer& swimmer, const UnitScales& units) {
+/// Returns the same for closed forms that contain the driving.
+std::optional<std::string> unequal_parts(const Question& question) {
+  if (auto obstacle = unequal_shape(question)) return obstacle;
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const UnitScales& units = question.units;
   if (!equal(swimmer.stiffness[0], swimmer.stiffness[1])) {
     return fmt::format("the stiffnesses {}, {} differ, but the closed form requires equal stiffnesses; {}",
                        swimmer.stiffness[0] * units.stiffness(), swimmer.stiffness[1] * units.stiffness(),
@@ -48,124 +58,8 @@ std::optional<std::string> unequal_response(const CollinearSwimmer& swimmer, con
   return std::nullopt;
 }
 
-/// Returns a pair mobility of zero. Equations (4.4) to (4.8) of Pickl et al. 2017 are exact for beads without
-/// hydrodynamic interaction.
-PairMobility no_interaction(double, double, double, double) {
-  return {};
-}
-
-/// Returns the stroke under the driving forces to lowest order in lambda/l (bead radius/arm length), with the
-/// arm amplitudes of equations (4.4) and (4.5) of Pickl et al. 2017. The paper states only the phase
-/// difference of the arms, equation (4.6). The phase of each arm is taken from the linear response without
-/// hydrodynamic interaction.
-Stroke lowest_order_stroke(const CollinearSwimmer& swimmer) {
-  Stroke stroke = first_order_stroke(swimmer, no_interaction);
-  const auto [d1, d2] = oseen_arm_amplitudes(swimmer);
-  stroke.amplitude = {d1, d2};
-  return stroke;
-}
-
-constexpr const char* measured_origin = "measured";
-constexpr const char* driven_origin = "predicted by (4.4) to (4.8)";
-
-/// Velocity [length/time] and stroke by a closed formula, with texts for users: where the stroke comes from,
-/// whether the formula is valid, and which pair mobility it uses.
-struct Formula {
-  double velocity = 0;
-  Stroke stroke;
-  double sin_phase_shift = 0;
-  std::string stroke_origin;
-  std::string verdict;
-  std::string pairs;
-};
-
-/// Relative difference from the velocity in exact Stokes flow below which a truncated formula is usable.
-constexpr double usable_distance = 0.25;
-
-/// Returns the velocity in exact Stokes flow with which a formula is compared. For a measured stroke, this is
-/// the velocity of the same stroke, because only the geometry factor of the formula can be wrong.
-std::optional<double> exact_reference_velocity(const Question& question, const Formula& formula) {
-  const bool measured = formula.stroke_origin == measured_origin;
-  return measured ? exact_velocity_for_stroke(question, formula.stroke) : exact_velocity(question);
-}
-
-/// Returns the prediction by a formula. `validity`: text about the range of validity, to which known limits
-/// are appended.
-Prediction make_prediction(const Question& question, const Formula& formula, const std::string& validity) {
-  Prediction prediction;
-  prediction.velocity = formula.velocity;
-  prediction.stroke = formula.stroke;
-  prediction.sin_phase_shift = formula.sin_phase_shift;
-  prediction.validity = validity;
-  if (question.exact) {
-    prediction.uncertainty = relative_uncertainty(
-        formula.velocity, exact_reference_velocity(question, formula), question.exact->amplitude_change);
-  }
-  prediction.settings.emplace_back("mobility", formula.pairs);
-  prediction.settings.emplace_back("stroke", formula.stroke_origin);
-  add_common_limits(question, prediction);
-  return prediction;
-}
-
-/// Returns the prediction by a formula. Its text about validity states the relative distance from exact
-/// Stokes flow.
-Prediction compared_prediction(const Question& question, const Formula& formula) {
-  const bool measured = formula.stroke_origin == measured_origin;
-  const std::string distance =
-      distance_from_exact(question, formula.velocity, exact_reference_velocity(question, formula));
-  return make_prediction(question, formula,
-                         formula.verdict + ": here " + distance + (measured ? ", of this stroke" : ""));
-}
-
-/// Returns the prediction by a formula, marked as not usable unless its velocity is within `usable_distance`
-/// of the velocity in exact Stokes flow.
-Prediction usable_if_close(const Question& question, const Formula& formula) {
-  Prediction prediction = compared_prediction(question, formula);
-  const std::optional<double> exact = exact_reference_velocity(question, formula);
-  const bool near = exact && std::abs(formula.velocity / *exact - 1) < usable_distance;
-  if (!near)
-    mark_unusable(prediction, fmt::format("the velocity by this formula is not known to be within {:.0f} % "
-                                          "of the velocity in exact Stokes flow",
-                                          100 * usable_distance));
-  return prediction;
-}
-
-/// Returns a formula whose stroke follows from the driving to first order with the pair mobility `law`. The
-/// velocity is not yet set. `pairs`: name of the law for users.
-Formula formula_for_driven_stroke(const Question& question, PairLaw law, const std::string& pairs) {
-  Formula formula;
-  formula.pairs = pairs;
-  formula.stroke = first_order_stroke(question.swimmer, law);
-  formula.stroke_origin = "predicted, " + pairs + " pairs";
-  formula.sin_phase_shift = formula.stroke.sin_phase_shift();
-  return formula;
-}
-
-/// Returns a formula with the measured stroke or, if none was measured, with the stroke that follows from the
-/// driving. The velocity is not yet set.
-Formula formula_for_given_stroke(const Question& question, PairLaw law, const std::string& pairs) {
-  Formula formula = formula_for_driven_stroke(question, law, pairs);
-  if (!question.measured_stroke) return formula;
-  formula.stroke = *question.measured_stroke;
-  formula.stroke_origin = measured_origin;
-  formula.sin_phase_shift = formula.stroke.sin_phase_shift();
-  return formula;
-}
-
-}  // namespace
-
-std::optional<std::string> equal_shape_obstacle(const Question& question) {
-  if (auto obstacle = overlap_obstacle(question)) return obstacle;
-  return unequal_shape(question.swimmer, question.units);
-}
-
-std::optional<std::string> equal_parts_obstacle(const Question& question) {
-  if (auto obstacle = equal_shape_obstacle(question)) return obstacle;
-  return unequal_response(question.swimmer, question.units);
-}
-
-std::optional<std::string> rpy_force_printed_obstacle(const Question& question) {
-  if (auto obstacle = equal_parts_obstacle(question)) return obstacle;
+std::optional<std::string> unequal_parts_or_amplitudes(const Question& question) {
+  if (auto obstacle = unequal_parts(question)) return obstacle;
   const auto& [A, B] = question.swimmer.amplitude;
   if (equal(A, B)) return std::nullopt;
   return fmt::format(
@@ -174,107 +68,154 @@ std::optional<std::string> rpy_force_printed_obstacle(const Question& question) 
       A * question.units.force(), B * question.units.force());
 }
 
-std::optional<std::string> oseen_stroke_obstacle(const Question& question) {
+std::optional<std::string> unequal_for_lowest_order_stroke(const Question& question) {
   // Equations (4.4) to (4.8) of the paper predict the stroke for equal springs only. A measured stroke does
   // not require these equations.
-  return question.measured_stroke ? equal_shape_obstacle(question) : equal_parts_obstacle(question);
+  return question.measured_stroke ? unequal_shape(question) : unequal_parts(question);
 }
 
-std::optional<std::string> measured_stroke_obstacle(const Question& question) {
+std::optional<std::string> no_measured_stroke(const Question& question) {
   if (auto obstacle = exact_obstacle(question)) return obstacle;
   if (question.measured_stroke) return std::nullopt;
   return fmt::format("the method needs a measured stroke; give one with {}", Setting::stroke_record);
 }
 
-Prediction predict_oseen_force(const Question& question) {
-  return compared_prediction(question,
-                             {.velocity = oseen_force_velocity(question.swimmer),
-                              .stroke = lowest_order_stroke(question.swimmer),
-                              .sin_phase_shift = oseen_sin_phase_shift(question.swimmer),
-                              .stroke_origin = driven_origin,
-                              .verdict = "(4.3) with (4.4) to (4.8), right to lowest order in lambda/l",
-                              .pairs = "Oseen"});
+/// Returns a pair mobility of zero. Equations (4.4) to (4.8) of Pickl et al. 2017 are exact for beads without
+/// hydrodynamic interaction.
+PairMobility no_interaction(double, double, double, double) {
+  return {};
 }
 
-Prediction predict_oseen_stroke(const Question& question) {
-  Formula formula;
-  if (question.measured_stroke) {
-    formula = formula_for_given_stroke(question, oseen, "Oseen");
-  } else {
-    formula.stroke = lowest_order_stroke(question.swimmer);
-    formula.stroke_origin = driven_origin;
-    formula.sin_phase_shift = oseen_sin_phase_shift(question.swimmer);
-    formula.pairs = "Oseen";
-  }
-  formula.velocity = oseen_stroke_velocity(question.swimmer, formula.stroke);
-  formula.verdict = "(4.2), right to lowest order in lambda/l";
-  return compared_prediction(question, formula);
+/// Use of a prediction: always, never, or only if its velocity is within `usable_distance` of exact Stokes
+/// flow. `exact`: the velocity is that of exact Stokes flow, so that a comparison says nothing.
+enum class Use { always, if_close, never, exact };
+
+/// Relative difference from the velocity in exact Stokes flow below which a truncated formula is usable.
+constexpr double usable_distance = 0.25;
+
+/// A method by a closed formula.
+struct ClosedForm {
+  const char* method;
+  Method::Input input;
+  std::optional<std::string> (*obstacle)(const Question& question);
+  /// Pair mobility from which the stroke follows to first order in the driving. no_interaction: the stroke of
+  /// equations (4.4) to (4.8), to lowest order in lambda/l (bead radius/arm length).
+  PairLaw stroke_law;
+  Use use;
+  const BeadMobility& mobility;
+  const char* validity;  ///< equation of the paper (closed_forms.hpp), and whether it is valid
+  double (*velocity)(const Question& question, const Stroke& stroke);  ///< [length/time]
+};
+
+const std::vector<ClosedForm>& closed_forms() {
+  using enum Method::Input;
+  using enum Use;
+  using Q = const Question&;
+  using S = const Stroke&;
+  // clang-format off
+  static const std::vector<ClosedForm> table{
+      {"oseen-force-closed", driving, unequal_parts, no_interaction, always, oseen_beads,
+       "(4.3) with (4.4) to (4.8), right to lowest order in lambda/l",
+       [](Q q, S) { return oseen_force_velocity(q.swimmer); }},
+      {"oseen-stroke-closed", driving_or_stroke, unequal_for_lowest_order_stroke, no_interaction, always, oseen_beads,
+       "(4.2), right to lowest order in lambda/l",
+       [](Q q, S stroke) { return oseen_stroke_velocity(q.swimmer, stroke); }},
+      {"oseen-ratio-printed", driving, unequal_parts, no_interaction, never, oseen_beads,
+       "(4.9) as printed, v_S from v_F of (4.3)",
+       [](Q q, S) { return oseen_ratio_printed(q.swimmer) * oseen_force_velocity(q.swimmer); }},
+      {"oseen-ratio-repaired", driving_or_stroke, unequal_shape, oseen, always, oseen_beads,
+       "(4.9) as it should be, (4.2) over the right ratio: untruncated Oseen theory of this stroke",
+       [](Q q, S stroke) { return oseen_stroke_velocity(q.swimmer, stroke) / oseen_ratio_repaired(q.swimmer); }},
+      {"rpy-force-printed", driving, unequal_parts_or_amplitudes, rotne_prager, if_close, rotne_prager_beads,
+       "(4.23) as printed, wrong: 8l - 33 lambda should be 10l - 33 lambda, a factor sin alpha is missing, "
+       "and its k^4 term vanishes at l = 5 lambda",
+       [](Q q, S) { return rpy_force_velocity_printed(q.swimmer); }},
+      {"rpy-force-repaired", driving, unequal_parts, rotne_prager, if_close, rotne_prager_beads,
+       "(4.23) mended in its own scheme, which truncates in lambda/l, drops the mean change of the arms and "
+       "is poor at small l/lambda",
+       [](Q q, S) { return rpy_force_velocity_repaired(q.swimmer); }},
+      {"rpy-stroke-printed", driving_or_stroke, unequal_shape, rotne_prager, if_close, rotne_prager_beads,
+       "(4.24), right as a truncation in lambda/l, with a pole at l = 4.25 lambda",
+       [](Q q, S stroke) { return rpy_stroke_velocity(q.swimmer, stroke); }},
+      {"rpy-equal-weight", driving_or_stroke, unequal_shape, rotne_prager, always, rotne_prager_beads,
+       "equal-weight mean of the beads' velocities as in (4.18), without truncation in lambda/l but without "
+       "the mean change of the arms, which the periodic motion has",
+       [](Q q, S stroke) { return equal_weight_velocity(q.swimmer, stroke); }},
+      {"multipole-stroke", stroke, no_measured_stroke, rotne_prager, exact, exact_beads,
+       "exact Stokes flow of three spheres (axisymmetric multipoles) with this stroke", exact_stroke_velocity},
+  };
+  // clang-format on
+  return table;
 }
 
-Prediction predict_oseen_ratio_printed(const Question& question) {
-  const CollinearSwimmer& swimmer = question.swimmer;
-  Prediction prediction =
-      compared_prediction(question, {.velocity = oseen_ratio_printed(swimmer) * oseen_force_velocity(swimmer),
-                                     .stroke = lowest_order_stroke(swimmer),
-                                     .sin_phase_shift = oseen_sin_phase_shift(swimmer),
-                                     .stroke_origin = driven_origin,
-                                     .verdict = "(4.9) as printed, v_S from v_F of (4.3)",
-                                     .pairs = "Oseen"});
-  mark_unusable(prediction,
-                "for the stroke of equations (4.4) to (4.8) of Pickl et al. 2017, the velocities v_S of "
-                "equation (4.2) and v_F "
-                "of equation (4.3) are equal, so their ratio (4.9) does not hold");
+/// A stroke, and where it comes from.
+struct GivenStroke {
+  Stroke stroke;
+  double sin_phase_shift = 0;
+  std::string origin;
+};
+
+/// Returns the measured stroke if the formula uses it, else the stroke that follows from the driving. The
+/// paper states only the phase difference of the arms, equation (4.6). With equations (4.4) to (4.8), the
+/// phase of each arm is taken from the linear response without hydrodynamic interaction.
+GivenStroke stroke_for(const ClosedForm& form, const Question& question, bool is_measured) {
+  if (is_measured)
+    return {*question.measured_stroke, question.measured_stroke->sin_phase_shift(), "measured"};
+  Stroke stroke = first_order_stroke(question.swimmer, form.stroke_law);
+  if (form.stroke_law != no_interaction)
+    return {stroke, stroke.sin_phase_shift(), fmt::format("predicted, {} pairs", form.mobility.name)};
+  std::ranges::copy(oseen_arm_amplitudes(question.swimmer), stroke.amplitude.begin());
+  return {stroke, oseen_sin_phase_shift(question.swimmer), "predicted by (4.4) to (4.8)"};
+}
+
+void mark_unusable_by(Use use, double velocity, std::optional<double> exact, Prediction& prediction) {
+  if (use == Use::never)
+    mark_unusable(prediction,
+                  "for the stroke of equations (4.4) to (4.8) of Pickl et al. 2017, the velocities v_S of "
+                  "equation (4.2) and v_F "
+                  "of equation (4.3) are equal, so their ratio (4.9) does not hold");
+  if (use == Use::if_close && !(exact && std::abs(velocity / *exact - 1) < usable_distance))
+    mark_unusable(prediction, fmt::format("the velocity by this formula is not known to be within {:.0f} % "
+                                          "of the velocity in exact Stokes flow",
+                                          100 * usable_distance));
+}
+
+Prediction predict_by(const ClosedForm& form, const Question& question) {
+  const bool is_measured = question.measured_stroke && form.input != Method::Input::driving;
+  const auto [stroke, sin_phase_shift, origin] = stroke_for(form, question, is_measured);
+  const double velocity = form.velocity(question, stroke);
+  // For a measured stroke, the velocity in exact Stokes flow is that of the same stroke, because only the
+  // geometry factor of the formula can be wrong.
+  const std::optional<double> exact =
+      is_measured ? exact_velocity_for_stroke(question, stroke) : exact_velocity(question);
+  Prediction prediction;
+  prediction.velocity = velocity;
+  prediction.stroke = stroke;
+  prediction.sin_phase_shift = sin_phase_shift;
+  prediction.validity = form.validity;
+  if (form.use != Use::exact)
+    prediction.validity += fmt::format(": here {}{}", distance_from_exact(question, velocity, exact),
+                                       is_measured ? ", of this stroke" : "");
+  if (question.exact)
+    prediction.uncertainty = relative_uncertainty(velocity, exact, question.exact->amplitude_change);
+  prediction.settings.emplace_back("mobility", form.mobility.name);
+  prediction.settings.emplace_back("stroke", origin);
+  add_common_limits(question, prediction);
+  mark_unusable_by(form.use, velocity, exact, prediction);
   return prediction;
 }
 
-Prediction predict_oseen_ratio_repaired(const Question& question) {
-  Formula formula = formula_for_given_stroke(question, oseen, "Oseen");
-  formula.velocity =
-      oseen_stroke_velocity(question.swimmer, formula.stroke) / oseen_ratio_repaired(question.swimmer);
-  formula.verdict =
-      "(4.9) as it should be, (4.2) over the right ratio: untruncated Oseen theory of this stroke";
-  return compared_prediction(question, formula);
-}
+}  // namespace
 
-Prediction predict_rpy_force_printed(const Question& question) {
-  Formula formula = formula_for_driven_stroke(question, rotne_prager, "Rotne-Prager");
-  formula.velocity = rpy_force_velocity_printed(question.swimmer);
-  formula.verdict =
-      "(4.23) as printed, wrong: 8l - 33 lambda should be 10l - 33 lambda, a factor sin alpha is missing, "
-      "and its k^4 term vanishes at l = 5 lambda";
-  return usable_if_close(question, formula);
-}
-
-Prediction predict_rpy_force_repaired(const Question& question) {
-  Formula formula = formula_for_driven_stroke(question, rotne_prager, "Rotne-Prager");
-  formula.velocity = rpy_force_velocity_repaired(question.swimmer);
-  formula.verdict =
-      "(4.23) mended in its own scheme, which truncates in lambda/l, drops the mean change of the arms and "
-      "is poor at small l/lambda";
-  return usable_if_close(question, formula);
-}
-
-Prediction predict_rpy_stroke_printed(const Question& question) {
-  Formula formula = formula_for_given_stroke(question, rotne_prager, "Rotne-Prager");
-  formula.velocity = rpy_stroke_velocity(question.swimmer, formula.stroke);
-  formula.verdict = "(4.24), right as a truncation in lambda/l, with a pole at l = 4.25 lambda";
-  return usable_if_close(question, formula);
-}
-
-Prediction predict_rpy_equal_weight(const Question& question) {
-  Formula formula = formula_for_given_stroke(question, rotne_prager, "Rotne-Prager");
-  formula.velocity = equal_weight_velocity(question.swimmer, formula.stroke);
-  formula.verdict =
-      "equal-weight mean of the beads' velocities as in (4.18), without truncation in lambda/l but without "
-      "the mean change of the arms, which the periodic motion has";
-  return compared_prediction(question, formula);
-}
-
-Prediction predict_multipole_stroke(const Question& question) {
-  Formula formula = formula_for_given_stroke(question, rotne_prager, "exact");
-  formula.velocity = exact_stroke_velocity(question, formula.stroke);
-  return make_prediction(question, formula,
-                         "exact Stokes flow of three spheres (axisymmetric multipoles) with this stroke");
+std::vector<Method> closed_form_methods() {
+  std::vector<Method> methods;
+  for (const ClosedForm& form : closed_forms())
+    methods.push_back({.name = form.method,
+                       .input = form.input,
+                       .obstacle = form.obstacle,
+                       .predict = std::bind_front(predict_by, std::cref(form)),
+                       .towing_drag = form.mobility.towing_drag});
+  return methods;
 }
 
 }  // namespace beadswim

@@ -24,12 +24,10 @@ std::optional<double> nullopt_if_roundoff(const Question& question, double veloc
 }  // namespace
 
 Prediction prediction_from(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
-  Prediction prediction;
-  prediction.velocity = motion.velocity;
-  prediction.stroke = motion.stroke;
-  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
-  prediction.arm_means = {swimmer.arm[0] + motion.arm_changes[0], swimmer.arm[1] + motion.arm_changes[1]};
-  return prediction;
+  return prediction_from(
+      {.velocity = motion.velocity,
+       .arm_means = {swimmer.arm[0] + motion.arm_changes[0], swimmer.arm[1] + motion.arm_changes[1]},
+       .stroke = motion.stroke});
 }
 
 Prediction prediction_from(const PeriodicMotion& motion) {

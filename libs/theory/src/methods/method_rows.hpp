@@ -11,47 +11,39 @@
 
 namespace beadswim {
 
+/// Steady mobility of beads in open space, in the forms that methods need.
+struct BeadMobility {
+  const char* name;  ///< in predictions
+  decltype(Method::towing_drag) towing_drag;
+  PairLaw pairs;          ///< nullptr: not a sum over pairs
+  PairTensorLaw tensors;  ///< for swimmers of any shape; likewise
+};
+extern const BeadMobility oseen_beads, rotne_prager_beads, exact_beads;
+
 // Each function returns the reason why a method cannot treat the question; nullopt if it can treat it.
 std::optional<std::string> overlap_obstacle(const Question& question);
 std::optional<std::string> exact_obstacle(const Question& question);
-std::optional<std::string> equal_shape_obstacle(const Question& question);
-std::optional<std::string> equal_parts_obstacle(const Question& question);
-std::optional<std::string> rpy_force_printed_obstacle(const Question& question);
-std::optional<std::string> oseen_stroke_obstacle(const Question& question);
-std::optional<std::string> measured_stroke_obstacle(const Question& question);
 std::optional<std::string> box_obstacle(const Question& question);
 std::optional<std::string> inertia_obstacle(const Question& question);
 std::optional<std::string> unsteady_multipole_obstacle(const Question& question);
 std::optional<std::string> inertia_corrected_obstacle(const Question& question);
 
-// Predictions by closed formulas, most of them from the paper (closed_forms.hpp).
-Prediction predict_oseen_force(const Question& question);
-Prediction predict_oseen_stroke(const Question& question);
-Prediction predict_oseen_ratio_printed(const Question& question);
-Prediction predict_oseen_ratio_repaired(const Question& question);
-Prediction predict_rpy_force_printed(const Question& question);
-Prediction predict_rpy_force_repaired(const Question& question);
-Prediction predict_rpy_stroke_printed(const Question& question);
-Prediction predict_rpy_equal_weight(const Question& question);
-Prediction predict_multipole_stroke(const Question& question);
+/// Returns the methods by closed formulas, most of them from the paper (closed_forms.hpp).
+std::vector<Method> closed_form_methods();
 
 // Predictions to second order in amplitude.
-Prediction predict_oseen_perturbation(const Question& question);
-Prediction predict_rpy_perturbation(const Question& question);
+Prediction predict_pair_perturbation(const BeadMobility& mobility, const Question& question);
 Prediction predict_multipole_perturbation(const Question& question);
 Prediction predict_rpy_box_perturbation(const Question& question);
 
 // Predictions at finite amplitude, by the periodic motion.
-Prediction predict_oseen_ode(const Question& question);
-Prediction predict_rpy_ode(const Question& question);
+Prediction predict_pair_ode(const BeadMobility& mobility, const Question& question);
 Prediction predict_multipole_ode(const Question& question);
 Prediction predict_rpy_box_ode(const Question& question);
 
 // Predictions for swimmers of any shape.
-Prediction predict_oseen_perturbation_of_shape(const ShapeQuestion& question);
-Prediction predict_rpy_perturbation_of_shape(const ShapeQuestion& question);
-Prediction predict_oseen_ode_of_shape(const ShapeQuestion& question);
-Prediction predict_rpy_ode_of_shape(const ShapeQuestion& question);
+Prediction predict_shape_perturbation(const BeadMobility& mobility, const ShapeQuestion& question);
+Prediction predict_shape_ode(const BeadMobility& mobility, const ShapeQuestion& question);
 
 // Predictions with inertia of fluid and beads.
 Prediction predict_unsteady_response(const Question& question);

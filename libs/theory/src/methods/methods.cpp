@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
@@ -31,16 +32,13 @@ double drag_of(const Eigen::Matrix3d& mobility) {
   return mobility.inverse().sum();
 }
 
-double oseen_drag(const CollinearSwimmer& swimmer, const LinePositions& positions) {
-  return drag_of(pairwise_mobility(oseen, swimmer.radius, positions, swimmer.viscosity).value);
-}
-
-double rpy_drag(const CollinearSwimmer& swimmer, const LinePositions& positions) {
-  return drag_of(pairwise_mobility(rotne_prager, swimmer.radius, positions, swimmer.viscosity).value);
-}
-
 double exact_drag(const CollinearSwimmer& swimmer, const LinePositions& positions) {
   return drag_of(exact_mobility(swimmer, positions).value);
+}
+
+template <PairLaw law>
+double pair_drag(const CollinearSwimmer& swimmer, const LinePositions& positions) {
+  return drag_of(pairwise_mobility(law, swimmer.radius, positions, swimmer.viscosity).value);
 }
 
 /// Adds the mean power of the driving and, if the drag coefficient of the towed swimmer is known, this
@@ -67,31 +65,34 @@ std::vector<std::string> methods_for(const ShapedSwimmer& swimmer) {
 
 }  // namespace
 
+const BeadMobility oseen_beads{"Oseen", pair_drag<oseen>, oseen, oseen_pairs};
+const BeadMobility rotne_prager_beads{"Rotne-Prager", pair_drag<rotne_prager>, rotne_prager,
+                                      rotne_prager_tensor};
+const BeadMobility exact_beads{"exact", exact_drag, nullptr, nullptr};
+
 const std::vector<Method>& methods() {
   using enum Method::Input;
+  using std::bind_front;
+  const auto &O = oseen_beads, &R = rotne_prager_beads;
+  const auto oseen_drag = O.towing_drag, rpy_drag = R.towing_drag;
   // clang-format off
-  static const std::vector<Method> table{
-      {"oseen-force-closed", driving, equal_parts_obstacle, predict_oseen_force, oseen_drag},
-      {"oseen-stroke-closed", driving_or_stroke, oseen_stroke_obstacle, predict_oseen_stroke, oseen_drag},
-      {"oseen-ratio-printed", driving, equal_parts_obstacle, predict_oseen_ratio_printed, oseen_drag},
-      {"oseen-ratio-repaired", driving_or_stroke, equal_shape_obstacle, predict_oseen_ratio_repaired, oseen_drag},
-      {"rpy-force-printed", driving, rpy_force_printed_obstacle, predict_rpy_force_printed, rpy_drag},
-      {"rpy-force-repaired", driving, equal_parts_obstacle, predict_rpy_force_repaired, rpy_drag},
-      {"rpy-stroke-printed", driving_or_stroke, equal_shape_obstacle, predict_rpy_stroke_printed, rpy_drag},
-      {"rpy-equal-weight", driving_or_stroke, equal_shape_obstacle, predict_rpy_equal_weight, rpy_drag},
-      {"multipole-stroke", stroke, measured_stroke_obstacle, predict_multipole_stroke, exact_drag},
-      {"oseen-perturbation", driving, overlap_obstacle, predict_oseen_perturbation, oseen_drag, predict_oseen_perturbation_of_shape},
-      {"rpy-perturbation", driving, overlap_obstacle, predict_rpy_perturbation, rpy_drag, predict_rpy_perturbation_of_shape},
+  static const std::vector<Method> table = [&] {
+    std::vector<Method> rows = closed_form_methods();
+    rows.insert(rows.end(), {
+      {"oseen-perturbation", driving, overlap_obstacle, bind_front(predict_pair_perturbation, O), oseen_drag, bind_front(predict_shape_perturbation, O)},
+      {"rpy-perturbation", driving, overlap_obstacle, bind_front(predict_pair_perturbation, R), rpy_drag, bind_front(predict_shape_perturbation, R)},
       {"multipole-perturbation", driving, exact_obstacle, predict_multipole_perturbation, exact_drag},
-      {"oseen-ode", driving, overlap_obstacle, predict_oseen_ode, oseen_drag, predict_oseen_ode_of_shape, true},
-      {"rpy-ode", driving, overlap_obstacle, predict_rpy_ode, rpy_drag, predict_rpy_ode_of_shape, true},
+      {"oseen-ode", driving, overlap_obstacle, bind_front(predict_pair_ode, O), oseen_drag, bind_front(predict_shape_ode, O), true},
+      {"rpy-ode", driving, overlap_obstacle, bind_front(predict_pair_ode, R), rpy_drag, bind_front(predict_shape_ode, R), true},
       {"multipole-ode", driving, exact_obstacle, predict_multipole_ode, exact_drag},
       {"rpy-box-perturbation", driving_in_box, box_obstacle, predict_rpy_box_perturbation, rpy_drag},
       {"rpy-box-ode", driving_in_box, box_obstacle, predict_rpy_box_ode, rpy_drag},
       {"unsteady-response", driving, inertia_obstacle, predict_unsteady_response, rpy_drag},
       {"unsteady-multipole", driving, unsteady_multipole_obstacle, predict_unsteady_multipole, exact_drag},
       {"inertia-corrected", driving, inertia_corrected_obstacle, predict_inertia_corrected, exact_drag},
-  };
+    });
+    return rows;
+  }();
   // clang-format on
   return table;
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/mobility/oseen.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
 #include "confidence.hpp"
 #include "method_rows.hpp"
@@ -31,7 +29,10 @@ void add_limits(const Question& question, Prediction& prediction) {
   add_driving_settings(question, prediction);
 }
 
-Prediction predict_pairwise(const Question& question, const std::string& pairs, PairLaw law) {
+}  // namespace
+
+Prediction predict_pair_ode(const BeadMobility& bead_mobility, const Question& question) {
+  const PairLaw law = bead_mobility.pairs;
   const CollinearSwimmer& swimmer = question.swimmer;
   const MobilityFunction mobility = [&](const LinePositions& x) {
     return pairwise_mobility(law, swimmer.radius, x, swimmer.viscosity);
@@ -41,21 +42,11 @@ Prediction predict_pairwise(const Question& question, const std::string& pairs, 
   const double second_order = second_order_motion(swimmer, rest_mobility(swimmer, law)).velocity;
   const std::optional<double> exact = exact_velocity(question);
   prediction.uncertainty = relative_uncertainty(second_order, exact, 0);
-  prediction.validity = fmt::format("{} pairs: at small amplitude here {}", pairs,
+  prediction.validity = fmt::format("{} pairs: at small amplitude here {}", bead_mobility.name,
                                     distance_from_exact(question, second_order, exact));
-  prediction.settings.emplace_back("mobility", pairs);
+  prediction.settings.emplace_back("mobility", bead_mobility.name);
   add_limits(question, prediction);
   return prediction;
-}
-
-}  // namespace
-
-Prediction predict_oseen_ode(const Question& question) {
-  return predict_pairwise(question, "Oseen", oseen);
-}
-
-Prediction predict_rpy_ode(const Question& question) {
-  return predict_pairwise(question, "Rotne-Prager", rotne_prager);
 }
 
 double min_exact_gap(const CollinearSwimmer& swimmer) {

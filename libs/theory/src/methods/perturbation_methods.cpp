@@ -1,30 +1,9 @@
 #include <fmt/format.h>
 
-#include "beadswim/mobility/oseen.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "confidence.hpp"
 #include "method_rows.hpp"
 
 namespace beadswim {
-
-namespace {
-
-Prediction predict_pairwise(const Question& question, const std::string& pairs, PairLaw law) {
-  const SecondOrderMotion motion =
-      second_order_motion(question.swimmer, rest_mobility(question.swimmer, law));
-  Prediction prediction = prediction_from(question.swimmer, motion);
-  const std::optional<double> exact = exact_velocity(question);
-  if (question.exact) {
-    prediction.uncertainty = relative_uncertainty(motion.velocity, exact, question.exact->amplitude_change);
-  }
-  prediction.validity = fmt::format("{} pairs, no truncation in lambda/l: here {}", pairs,
-                                    distance_from_exact(question, motion.velocity, exact));
-  prediction.settings.emplace_back("mobility", pairs);
-  add_common_limits(question, prediction);
-  return prediction;
-}
-
-}  // namespace
 
 std::optional<std::string> overlap_obstacle(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
@@ -46,12 +25,19 @@ std::optional<std::string> exact_obstacle(const Question& question) {
       separation_ratio(question.swimmer));
 }
 
-Prediction predict_oseen_perturbation(const Question& question) {
-  return predict_pairwise(question, "Oseen", oseen);
-}
-
-Prediction predict_rpy_perturbation(const Question& question) {
-  return predict_pairwise(question, "Rotne-Prager", rotne_prager);
+Prediction predict_pair_perturbation(const BeadMobility& mobility, const Question& question) {
+  const SecondOrderMotion motion =
+      second_order_motion(question.swimmer, rest_mobility(question.swimmer, mobility.pairs));
+  Prediction prediction = prediction_from(question.swimmer, motion);
+  const std::optional<double> exact = exact_velocity(question);
+  if (question.exact) {
+    prediction.uncertainty = relative_uncertainty(motion.velocity, exact, question.exact->amplitude_change);
+  }
+  prediction.validity = fmt::format("{} pairs, no truncation in lambda/l: here {}", mobility.name,
+                                    distance_from_exact(question, motion.velocity, exact));
+  prediction.settings.emplace_back("mobility", mobility.name);
+  add_common_limits(question, prediction);
+  return prediction;
 }
 
 Prediction predict_multipole_perturbation(const Question& question) {

@@ -11,13 +11,6 @@ namespace beadswim {
 
 namespace {
 
-/// Mobility of pairs, and its name in predictions.
-struct Pairs {
-  std::string name;
-  PairTensorLaw law;
-};
-const Pairs oseen_flow{"Oseen", oseen_pairs}, rotne_prager_flow{"Rotne-Prager", rotne_prager_tensor};
-
 /// Returns the value of the setting "fluid".
 std::string fluid_name(const ShapedSwimmer& swimmer) {
   return fmt::format("{}{}", swimmer.half_space ? "half-space" : "unbounded",
@@ -35,8 +28,8 @@ std::string surroundings_of(const ShapeQuestion& question) {
   return text;
 }
 
-Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, const ShapeMotion& motion,
-                           const std::string& amplitude) {
+Prediction prediction_from(const ShapeQuestion& question, const BeadMobility& mobility,
+                           const ShapeMotion& motion, const std::string& amplitude) {
   const ShapedSwimmer& swimmer = question.swimmer;
   const Vec3 axis = swimmer.orientation.col(0);
   Prediction prediction;
@@ -49,7 +42,7 @@ Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, co
   prediction.power = motion.power;
   ShapedSwimmer in_open_space = swimmer;  // as the efficiency of runs
   in_open_space.half_space.reset();
-  const double drag = towing_drag(in_open_space, motion.mean_shape, axis, pairs.law);
+  const double drag = towing_drag(in_open_space, motion.mean_shape, axis, mobility.tensors);
   prediction.efficiency = lighthill_efficiency(drag, prediction.velocity, motion.power);
   const double omega = 2 * std::numbers::pi / swimmer.type.driving.period;
   const double depth = std::sqrt(2 * swimmer.viscosity / (question.fluid_density * omega));
@@ -57,8 +50,8 @@ Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, co
   prediction.validity = fmt::format(
       "{} pairs; {}; alone; fluid: {}; no inertia of fluid or beads (penetration depth {:.2f} radii); "
       "the error for this shape is not known",
-      pairs.name, amplitude, surroundings_of(question), depth / radius);
-  prediction.settings = {{"mobility", pairs.name},
+      mobility.name, amplitude, surroundings_of(question), depth / radius);
+  prediction.settings = {{"mobility", mobility.name},
                          {"fluid", fluid_name(swimmer)},
                          {"period", swimmer.type.driving.period},
                          {"towing_drag", drag}};
@@ -70,14 +63,16 @@ Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, co
   return prediction;
 }
 
-Prediction by_perturbation(const ShapeQuestion& question, const Pairs& pairs) {
-  return prediction_from(question, pairs, second_order_motion(question.swimmer, pairs.law),
+}  // namespace
+
+Prediction predict_shape_perturbation(const BeadMobility& mobility, const ShapeQuestion& question) {
+  return prediction_from(question, mobility, second_order_motion(question.swimmer, mobility.tensors),
                          "second order in amplitude");
 }
 
-Prediction by_ode(const ShapeQuestion& question, const Pairs& pairs) {
-  const PeriodicShapeMotion motion = periodic_motion(question.swimmer, pairs.law);
-  Prediction prediction = prediction_from(question, pairs, motion, "periodic motion at finite amplitude");
+Prediction predict_shape_ode(const BeadMobility& mobility, const ShapeQuestion& question) {
+  const PeriodicShapeMotion motion = periodic_motion(question.swimmer, mobility.tensors);
+  Prediction prediction = prediction_from(question, mobility, motion, "periodic motion at finite amplitude");
   prediction.settings.emplace_back("steps_per_period", static_cast<double>(motion.steps));
   prediction.settings.emplace_back("numerical_error", motion.numerical_error);
   constexpr double visible = 1e-6;
@@ -89,24 +84,6 @@ Prediction by_ode(const ShapeQuestion& question, const Pairs& pairs) {
     prediction.settings.emplace_back("turn", motion.turn);
   }
   return prediction;
-}
-
-}  // namespace
-
-Prediction predict_oseen_perturbation_of_shape(const ShapeQuestion& question) {
-  return by_perturbation(question, oseen_flow);
-}
-
-Prediction predict_rpy_perturbation_of_shape(const ShapeQuestion& question) {
-  return by_perturbation(question, rotne_prager_flow);
-}
-
-Prediction predict_oseen_ode_of_shape(const ShapeQuestion& question) {
-  return by_ode(question, oseen_flow);
-}
-
-Prediction predict_rpy_ode_of_shape(const ShapeQuestion& question) {
-  return by_ode(question, rotne_prager_flow);
 }
 
 }  // namespace beadswim

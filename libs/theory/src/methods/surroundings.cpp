@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "beadswim/core/setting.hpp"
 
@@ -39,35 +38,31 @@ BoxPlace box_place(const Box& box, const Swimmer& swimmer, int axis) {
 Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer) {
   if (!layout.domain.box) return {};
   if (layout.swimmers.size() > 1) {
-    return {.box = {},
-            .obstacle = fmt::format("the box holds {} swimmers, but theory treats only one swimmer per box; "
+    return {.obstacle = fmt::format("the box holds {} swimmers, but theory treats only one swimmer per box; "
                                     "reduce a periodic scene to one swimmer with beadswim-layout reduce, or "
                                     "neglect the other swimmers in a layout without box ({})",
                                     layout.swimmers.size(), Setting::unbounded)};
   }
   const auto& boundary = layout.domain.box->boundary;
   if (std::find(boundary.begin(), boundary.end(), Boundary::no_slip) != boundary.end()) {
-    return {.box = {},
-            .obstacle =
+    return {.obstacle =
                 "the box has no-slip walls, but theory treats only periodic and free-slip boundaries; make "
                 "the layout with such boundaries"};
   }
   constexpr double max_aspect = 1e4;  // the number of terms of Ewald sums grows with the aspect ratio
   const Vec3& lengths = layout.domain.box->lengths;
   if (lengths.maxCoeff() > max_aspect * lengths.minCoeff())
-    return {
-        .box = {},
-        .obstacle = fmt::format("the longest box edge is {:.3g} times the shortest, but theory sums images "
-                                "up to {:g} times; make the box shorter, or neglect it in a layout without "
-                                "box ({})",
-                                lengths.maxCoeff() / lengths.minCoeff(), max_aspect, Setting::unbounded)};
+    return {.obstacle =
+                fmt::format("the longest box edge is {:.3g} times the shortest, but theory sums images "
+                            "up to {:g} times; make the box shorter, or neglect it in a layout without "
+                            "box ({})",
+                            lengths.maxCoeff() / lengths.minCoeff(), max_aspect, Setting::unbounded)};
   const std::optional<int> axis = coordinate_axis(swimmer.axis);
   if (!axis)
-    return {.box = {},
-            .obstacle =
+    return {.obstacle =
                 "the swimmer is not parallel to a box axis, so the swimmer's images push it sideways; theory "
                 "requires an axis along x, y or z"};
-  return {.box = box_place(*layout.domain.box, swimmer, *axis), .obstacle = {}};
+  return {.box = box_place(*layout.domain.box, swimmer, *axis)};
 }
 
 }  // namespace beadswim

@@ -68,49 +68,29 @@
 // The paper: Pickl, Pande, Koestler, Ruede and Smith, J. Phys.: Condens. Matter 29, 124001 (2017).
 // Page: docs/method/closed-forms.md.
 
+// Velocities [length/time] by a given stroke and the ratios require equal radii and equal arms; formulas in
+// terms of the driving also require equal stiffnesses and no dashpots.
+
 namespace beadswim {
 
-/// Returns the swimmer's velocity by a given stroke to lowest order in radius/arm length, equation (4.2) of
-/// Pickl et al. 2017 [length/time]. Requires equal radii and equal arms.
+/// Return v_S of a given stroke by equations (4.2) and (4.24), and v of the unweighted mean (last formula).
 double oseen_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke);
-
-/// Returns the swimmer's velocity under the driving forces to lowest order in radius/arm length, equation
-/// (4.3) of Pickl et al. 2017 [length/time]. Requires equal radii, arms and stiffnesses, and no dashpots.
-double oseen_force_velocity(const CollinearSwimmer& swimmer);
-
-/// Returns the swimmer's velocity under the driving forces by equation (4.23) of Pickl et al. 2017 as printed
-/// [length/time]. The printed formula depends on neither the driving amplitude B nor the driving phase alpha.
-/// Requires equal radii, arms and stiffnesses, and no dashpots.
-double rpy_force_velocity_printed(const CollinearSwimmer& swimmer);
-
-/// Returns the swimmer's velocity under the driving forces by equation (4.23) of Pickl et al. 2017 with the
-/// printing errors corrected, for any driving amplitudes and phase [length/time]. Requires equal radii, arms
-/// and stiffnesses, and no dashpots.
-double rpy_force_velocity_repaired(const CollinearSwimmer& swimmer);
-
-/// Returns the swimmer's velocity by a given stroke, equation (4.24) of Pickl et al. 2017 [length/time].
-/// Requires equal radii and equal arms.
 double rpy_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke);
-
-/// Returns the ratio v_S/v_F of the swimmer's velocities from the stroke (v_S) and from the driving forces
-/// (v_F), by equation (4.9) of Pickl et al. 2017 as printed. Requires equal radii and equal arms.
-double oseen_ratio_printed(const CollinearSwimmer& swimmer);
-
-/// Returns the corrected ratio of equation (4.9) of Pickl et al. 2017: the velocity of a stroke with Oseen
-/// mobilities to lowest order in radius/arm length, divided by the velocity of this stroke to all orders.
-/// Requires equal radii and equal arms.
-double oseen_ratio_repaired(const CollinearSwimmer& swimmer);
-
-/// Returns the unweighted mean of the three bead velocities of a given stroke with Rotne-Prager mobilities
-/// (last formula above) [length/time]. Requires equal radii and equal arms.
 double equal_weight_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke);
 
-/// Returns the arm amplitudes d1, d2 under the driving forces by equations (4.4) and (4.5) of Pickl et al.
-/// 2017 [length].
+/// Return v_F by equations (4.3) and (4.23). Equation (4.23) as printed depends on neither B nor alpha.
+double oseen_force_velocity(const CollinearSwimmer& swimmer);
+double rpy_force_velocity_printed(const CollinearSwimmer& swimmer);
+double rpy_force_velocity_repaired(const CollinearSwimmer& swimmer);
+
+/// Return the ratio v_S/v_F of equation (4.9).
+double oseen_ratio_printed(const CollinearSwimmer& swimmer);
+double oseen_ratio_repaired(const CollinearSwimmer& swimmer);
+
+/// Returns the arm amplitudes d1, d2 by equations (4.4) and (4.5) [length].
 std::array<double, 2> oseen_arm_amplitudes(const CollinearSwimmer& swimmer);
 
-/// Returns sin(delta1 - delta2) of the arm phases under the driving forces, by equations (4.6) to (4.8) of
-/// Pickl et al. 2017. Returns 0 if an arm is at rest.
+/// Returns sin(delta1 - delta2) by equations (4.6) to (4.8), or 0 if an arm is at rest.
 double oseen_sin_phase_shift(const CollinearSwimmer& swimmer);
 
 }  // namespace beadswim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,13 +19,13 @@ struct Method {
   std::optional<std::string> (*obstacle)(const Question& question);
   /// Returns the prediction. Requires a question without obstacle. Throws InputError if the calculation
   /// fails.
-  Prediction (*predict)(const Question& question);
+  std::function<Prediction(const Question& question)> predict;
   /// Returns the drag coefficient of the swimmer that is towed along its axis in open space, with the steady
   /// mobility of the method, at the positions of the beads [mass/time].
   double (*towing_drag)(const CollinearSwimmer& swimmer, const LinePositions& positions);
   /// Returns the prediction for a swimmer of any shape; nullptr: the method is for three beads on a line
   /// only.
-  Prediction (*predict_shape)(const ShapeQuestion& question) = nullptr;
+  std::function<Prediction(const ShapeQuestion& question)> predict_shape = nullptr;
   bool treats_flow = false;  ///< predict_shape also treats a background flow and a half-space
 
   /// Returns whether the method uses a measured stroke.

@@ -40,10 +40,10 @@ struct ShapeQuestion {
 struct Question {
   CollinearSwimmer swimmer;
   double fluid_density = 0;     ///< rho [mass/length^3]
-  std::optional<BoxPlace> box;  ///< nullopt: open space, or methods for boxes are not applicable
-  std::string box_obstacle;     ///< reason why methods for boxes are not applicable; empty if none
-  std::optional<Stroke> measured_stroke;
-  std::optional<ExactStokes> exact;  ///< set by with_exact_reference(); nullopt if not available
+  std::optional<BoxPlace> box{};  ///< nullopt: open space, or methods for boxes are not applicable
+  std::string box_obstacle{};     ///< reason why methods for boxes are not applicable; empty if none
+  std::optional<Stroke> measured_stroke{};
+  std::optional<ExactStokes> exact{};  ///< set by with_exact_reference(); nullopt if not available
   UnitScales units{};                ///< of the question, in the units of the layout, for texts
 };
 

@@ -13,8 +13,8 @@ namespace beadswim {
 /// the reason why methods for boxes cannot treat the swimmer. In open space, `box` is nullopt and `obstacle`
 /// is empty.
 struct Surroundings {
-  std::optional<BoxPlace> box;
-  std::string obstacle;
+  std::optional<BoxPlace> box{};
+  std::string obstacle{};
 };
 
 /// Returns the box of one swimmer of the layout, or the reason why theory cannot treat the box.
