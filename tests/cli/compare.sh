@@ -101,7 +101,7 @@ END
 with_scene() { jq --slurpfile scene scene.json '.scene = $scene[0]' "$1"; }
 with_scene run.json >scene-run.json
 with_scene prediction.json >theory.json
-for pair in 'scene-run theory' 'scene-run prediction' 'run theory'; do # with scene, and documents of older versions
+for pair in 'scene-run theory' 'scene-run prediction' 'run theory'; do # with and without scenes
   judged 0 beadswim-compare "${pair% *}.json" "${pair#* }.json"
   holds '.scene_differences == []'
 done

@@ -9,7 +9,7 @@
 namespace beadswim {
 namespace {
 
-/// Returns the record of a run of two swimmers, the second with the period 2000, as older versions wrote it:
+/// Returns the record of a run of two swimmers, the second with the period 2000, without a scene:
 /// without scene.
 RunRecord older_record() {
   RunRecord record;
@@ -20,7 +20,7 @@ RunRecord older_record() {
   return record;
 }
 
-/// Returns the prediction for swimmer 7 as older versions wrote it.
+/// Returns the prediction for swimmer 7, without a scene.
 PredictionDocument older_prediction() {
   Prediction prediction{};
   prediction.settings = {{"period", 2000.0}, {"amplitude", 0.2}, {"amplitude_ratio", 1.0}, {"phase", 1.5}};

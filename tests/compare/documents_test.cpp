@@ -208,12 +208,8 @@ TEST(VerdictDocument, AnInfiniteErrorIsNull) {
 }
 
 TEST(VerdictDocument, CostIsTheSumOrUnknown) {
-  const RunCost cost{.wall_seconds = 1,
-                     .core_seconds = 2,
-                     .cycles = {},
-                     .cell_updates = 3,
-                     .mlups = {},
-                     .communication = {}};
+  const RunCost cost{
+      .wall_seconds = 1, .core_seconds = 2, .cell_updates = 3, .mlups = {}, .communication = {}};
   const auto total = total_cost(std::vector<std::optional<RunCost>>{cost, cost});
   ASSERT_TRUE(total);
   EXPECT_EQ(total->core_seconds, 4);

@@ -188,21 +188,7 @@ std::vector<ComparedScene> read_scenes(const PlotInputs& inputs, const SpeedFlag
 }
 
 bool has_finer_levels(const RunRecord& record) {
-  return record.resolution && record.resolution->levels && record.resolution->levels->size() > 1;
-}
-
-/// Returns the number of base periods that a run has completed. In older records, which do not state it, it
-/// follows from the number of cell updates for a lattice run with cells of one size; for other runs it is the
-/// number of complete cycles.
-double periods_done(const RunRecord& record) {
-  if (record.cost->cycles) return *record.cost->cycles;
-  if (!record.resolution || has_finer_levels(record) || !record.domain.box || !record.cost->cell_updates) {
-    const std::vector<CycleStatistics>& cycles = record.swimmers.front().cycles;
-    return cycles.empty() ? 0 : cycles.back().index;
-  }
-  const double cells = record.domain.box->lengths.prod() / std::pow(record.resolution->cell_size, 3);
-  return static_cast<double>(*record.cost->cell_updates) /
-         (cells * static_cast<double>(record.resolution->steps_per_cycle));
+  return record.resolution && record.resolution->levels.size() > 1;
 }
 
 /// Returns the cost of a run in core-seconds per driving period.
@@ -212,7 +198,7 @@ double cost_of(const PlottedRun& run) {
                      "the run record does not contain the cost of the run, for example because the run had "
                      "the flag --no-provenance; leave this file out");
   }
-  return run.record.cost->core_seconds / periods_done(run.record);
+  return run.record.cost->core_seconds / run.record.cost->cycles;
 }
 
 /// Returns the settings of a run except its resolution, for example "mr, τ = 1.5, single" (bead boundary,

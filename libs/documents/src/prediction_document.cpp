@@ -76,9 +76,4 @@ PredictionDocument predictions_from_json(const Json& json, const std::string& so
   return document;
 }
 
-PredictionDocument read_predictions(const std::string& path) {
-  const std::string source = path == "-" ? "standard input" : path;
-  return predictions_from_json(parse_json(read_text(path), source), source);
-}
-
 }  // namespace beadswim

@@ -52,11 +52,6 @@ RunRecord run_record_from_json(const Json& document, const std::string& source) 
   return record;
 }
 
-RunRecord read_run_record(const std::string& path) {
-  const std::string source = path == "-" ? "standard input" : path;
-  return run_record_from_json(parse_json(read_text(path), source), source);
-}
-
 Json run_record_to_json(const RunRecord& record, RecordProvenance provenance) {
   Json document{{"schema", "beadswim/run/1"}};
   add_fields(document, record);

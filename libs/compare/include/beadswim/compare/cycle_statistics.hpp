@@ -41,7 +41,7 @@ struct CycleStatistics {
   Vec3 axis = Vec3::UnitX();
   /// Orientation at the end of the period as a unit quaternion w, x, y, z (swimmers/swimmer_shape.hpp), and
   /// the rotation vector from the orientation at its start to this one, whole turns included, divided by the
-  /// period [radian/time]; nullopt in older records
+  /// period [radian/time]; nullopt if unknown
   std::optional<std::array<double, 4>> orientation{};
   std::optional<Vec3> angular_velocity{};
   double speed_along_axis = 0;         ///< component of `velocity` along `axis` [length/time]

@@ -32,7 +32,7 @@ struct PredictionDocument {
   std::vector<std::string> warnings;  ///< beads that touch, or driving too strong for some methods
   Json provenance = Json::array();    ///< one entry per program that made the document
   Json study{};                       ///< study of the layout (layout_document.hpp)
-  std::optional<Layout> scene{};      ///< nullopt for large swarms and in older documents
+  std::optional<Layout> scene{};      ///< nullopt for large swarms, or if unknown
 };
 
 /// Returns the document as JSON.
@@ -41,8 +41,5 @@ Json predictions_to_json(const PredictionDocument& document);
 /// Converts a JSON document to predictions after validation against the schema. `source`: name of the
 /// document in messages. Throws InputError if the document is invalid.
 PredictionDocument predictions_from_json(const Json& document, const std::string& source);
-
-/// Reads predictions from a file, or from standard input for "-". Throws InputError if the file is invalid.
-PredictionDocument read_predictions(const std::string& path);
 
 }  // namespace beadswim

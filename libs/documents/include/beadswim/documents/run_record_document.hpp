@@ -33,7 +33,7 @@ struct SwimmerRecord {
   int id = 0;
   std::vector<CycleStatistics> cycles;                 ///< complete cycles, in order
   std::optional<double> period;                        ///< driving period [time]; nullopt: the base period
-  std::optional<SwimmerUncertainty> uncertainty = {};  ///< of the last cycle; absent in older records
+  std::optional<SwimmerUncertainty> uncertainty = {};  ///< of the last cycle; nullopt if unknown
 
   static void visit_fields(auto&& visit, auto& swimmer) {
     visit("id", swimmer.id);
@@ -137,7 +137,7 @@ struct LatticeResolution {
   std::optional<double> radius_on_lattice;   ///< radius of the smallest bead on the lattice [cell]
   std::optional<double> angular_softening;   ///< smallest ratio of angular stiffness to that of the layout
   std::string precision;                     ///< "double" or "single"
-  std::optional<std::vector<LevelRecord>> levels;  ///< coarsest first; none in records of earlier versions
+  std::vector<LevelRecord> levels;           ///< coarsest first
 
   static void visit_fields(auto&& visit, auto& resolution) {
     visit("cells_per_radius", resolution.cells_per_radius);
@@ -151,7 +151,7 @@ struct LatticeResolution {
     visit("density_on_lattice", resolution.density_on_lattice, omitted_if_none);
     visit("radius_on_lattice", resolution.radius_on_lattice, omitted_if_none);
     visit("angular_softening", resolution.angular_softening, omitted_if_none);
-    visit("levels", resolution.levels, omitted_if_none);
+    visit("levels", resolution.levels);
   }
 };
 
@@ -217,17 +217,17 @@ struct CommunicationRecord {
 struct RunCost {
   double wall_seconds = 0;
   double core_seconds = 0;
-  std::optional<double> cycles;  ///< base cycles that the run has completed; absent in older records
+  double cycles = 0;  ///< base cycles that the run has completed
   int ranks = 1;
   std::optional<std::int64_t> cell_updates;
   std::optional<double> mlups;  ///< 10^6 cell updates per second of wall time
   std::int64_t peak_memory_bytes = 0;
-  std::optional<CommunicationRecord> communication;  ///< absent in older records
+  std::optional<CommunicationRecord> communication;  ///< nullopt without a lattice, or if unknown
 
   static void visit_fields(auto&& visit, auto& cost) {
     visit("wall_seconds", cost.wall_seconds);
     visit("core_seconds", cost.core_seconds);
-    visit("cycles", cost.cycles, omitted_if_none);
+    visit("cycles", cost.cycles);
     visit("ranks", cost.ranks);
     visit("cell_updates", cost.cell_updates);
     visit("mlups", cost.mlups);
@@ -277,14 +277,14 @@ struct RunRecord {
   std::optional<LatticeResolution> resolution;
   std::optional<MobilityRecord> mobility;
   std::optional<NearContactRecord> near_contact;
-  std::optional<ExpectedErrorRecord> expected_error;  ///< nullopt: unknown, or an older record
-  std::optional<std::vector<RunWarning>> warnings;    ///< nullopt in older records
+  std::optional<ExpectedErrorRecord> expected_error;  ///< nullopt: unknown
+  std::optional<std::vector<RunWarning>> warnings;    ///< nullopt: unknown
   std::optional<RunCost> cost;
   std::optional<std::string> state_sha256;    ///< nullopt after a fault
   std::optional<Json> study;                  ///< study of the layout (layout_document.hpp); nullopt: none
   std::optional<std::string> request_sha256;  ///< nullopt: not of a stream
   std::optional<Json> provenance;
-  std::optional<Layout> scene;  ///< nullopt for more than max_swimmers_listed swimmers and in older records
+  std::optional<Layout> scene;  ///< nullopt for more than max_swimmers_listed swimmers, or if unknown
 
   static void visit_fields(auto&& visit, auto& record) {
     visit("model", record.model);
@@ -319,9 +319,6 @@ enum class RecordProvenance { written, left_out };
 /// Converts JSON after validation against the schema. `source`: name of the document in messages. Throws
 /// InputError.
 RunRecord run_record_from_json(const Json& document, const std::string& source);
-
-/// Reads a run record from a file, or from stdin for "-". Throws InputError.
-RunRecord read_run_record(const std::string& path);
 
 /// Returns the record as JSON.
 Json run_record_to_json(const RunRecord& record, RecordProvenance provenance);
