@@ -1,6 +1,5 @@
 #include "note_block.hpp"
 
-#include <algorithm>
 #include <sstream>
 
 namespace beadswim {

@@ -22,9 +22,20 @@ class ContactFinder {
     const double distance = separation.norm(), gap = distance - radii;
     const bool is_own = !is_image && scale_.swimmer[first] == scale_.swimmer[second];
     const double per_radius = is_own ? scale_.own_cutoff_per_radius[first] : scale_.cutoff_per_radius;
-    const double cutoff = per_radius * radii / 2;
-    if (gap >= cutoff) return;
     const Vec3 normal = distance > 0 ? Vec3(separation / distance) : Vec3::UnitX();
+    add(first, second, is_image, normal, gap, per_radius * radii / 2);
+  }
+
+  /// Adds a bead and its mirror image as a contact if their gap is below the cutoff. `to_wall` is the
+  /// distance of the centre from the wall, negative if the centre is beyond the wall. `inward` is the unit
+  /// normal of the wall into the box.
+  void add_wall(int bead, double to_wall, const Vec3& inward, double radius) {
+    add(bead, bead, true, inward, 2 * (to_wall - radius), scale_.cutoff_per_radius * radius);
+  }
+
+ private:
+  void add(int first, int second, bool is_image, const Vec3& normal, double gap, double cutoff) {
+    if (gap >= cutoff) return;
     contacts_.push_back({.first = first,
                          .second = second,
                          .is_image = is_image,
@@ -34,22 +45,6 @@ class ContactFinder {
                          .law = contact_force(gap, cutoff, scale_.strength)});
   }
 
-  /// Adds a bead and its mirror image as a contact if their gap is below the cutoff. `to_wall` is the
-  /// distance of the centre from the wall, negative if the centre is beyond the wall. `inward` is the unit
-  /// normal of the wall into the box.
-  void add_wall(int bead, double to_wall, const Vec3& inward, double radius) {
-    const double gap = 2 * (to_wall - radius), cutoff = scale_.cutoff_per_radius * radius;
-    if (gap >= cutoff) return;
-    contacts_.push_back({.first = bead,
-                         .second = bead,
-                         .is_image = true,
-                         .normal = inward,
-                         .gap = gap,
-                         .cutoff = cutoff,
-                         .law = contact_force(gap, cutoff, scale_.strength)});
-  }
-
- private:
   const ContactScale& scale_;
   std::vector<Contact>& contacts_;
 };

@@ -1,7 +1,6 @@
 #include "beadswim/scene/bead_gaps.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "beadswim/core/cell_list.hpp"

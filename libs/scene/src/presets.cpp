@@ -1,6 +1,5 @@
 #include "beadswim/scene/presets.hpp"
 
-#include <algorithm>
 #include <numbers>
 
 namespace beadswim {

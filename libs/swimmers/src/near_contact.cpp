@@ -1,8 +1,6 @@
 #include "beadswim/swimmers/near_contact.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 namespace beadswim {

@@ -1,7 +1,6 @@
 #include "beadswim/coupling/close_beads.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "beadswim/lattice/trt.hpp"

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/periodic_unsteady_stokes.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <numbers>
-#include <string>
 
 #include "beadswim/core/error.hpp"
 

@@ -85,18 +85,18 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
 struct MobilityProduct::Parts {
   MobilityScene scene;
   const Communicator& communicator;
-  std::optional<EwaldPlan> plan;
-  std::unique_ptr<NearPairs> near_pairs;  ///< null: all pairs are summed without a mesh
-  std::unique_ptr<ParticleMesh> mesh;
-  std::unique_ptr<MomentProduct> moments;  ///< null: forces are the only moments
+  std::optional<EwaldPlan> plan{};
+  std::unique_ptr<NearPairs> near_pairs{};  ///< null: all pairs are summed without a mesh
+  std::unique_ptr<ParticleMesh> mesh{};
+  std::unique_ptr<MomentProduct> moments{};  ///< null: forces are the only moments
   /// Self-mobility of each sphere, minus the part of it that the far part of the Ewald sum contains
   /// [time/mass].
-  std::vector<double> self;
-  std::optional<WallImages> wall;              ///< of forces without moments; nullopt: without half-space
-  std::optional<UnresolvedMemory> unresolved;  ///< of forces without moments; nullopt: without memory
-  std::optional<NearField> near_field;
-  std::optional<NearMap> near_map;  ///< map S of the forces at the positions mapped_places
-  std::vector<Vec3> mapped_places;
+  std::vector<double> self{};
+  std::optional<WallImages> wall{};              ///< of forces without moments; nullopt: without half-space
+  std::optional<UnresolvedMemory> unresolved{};  ///< of forces without moments; nullopt: without memory
+  std::optional<NearField> near_field{};
+  std::optional<NearMap> near_map{};  ///< map S of the forces at the positions mapped_places
+  std::vector<Vec3> mapped_places{};
 
   const NearMap& near_map_at(std::span<const Vec3> positions);
   void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces, FlowPart part,
@@ -115,18 +115,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
   const Vec3 lengths = mirrored_lengths(scene.box);
   std::vector<double> radii = scene.radii;
   for (int m = 0; m < mirror_count(scene.box); ++m) radii.insert(radii.end(), radii.begin(), radii.end());
-  parts_.reset(new Parts{.scene = scene,
-                         .communicator = communicator,
-                         .plan = {},
-                         .near_pairs = {},
-                         .mesh = {},
-                         .moments = {},
-                         .self = {},
-                         .wall = {},
-                         .unresolved = {},
-                         .near_field = {},
-                         .near_map = {},
-                         .mapped_places = {}});
+  parts_.reset(new Parts{.scene = scene, .communicator = communicator});
   if (scene.model == MobilityModel::rpy_near)
     parts_->near_field.emplace(scene.radii, scene.lines, scene.box, scene.half_space);
   if (scene.box || scene.radii.size() >= min_spheres_on_mesh)

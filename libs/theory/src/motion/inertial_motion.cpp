@@ -1,8 +1,6 @@
 #include "beadswim/theory/inertial_motion.hpp"
 
 #include <Eigen/LU>
-#include <cmath>
-#include <numbers>
 
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/mobility/unsteady_sphere.hpp"

@@ -4,9 +4,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <complex>
-#include <numbers>
 #include <optional>
 
 #include "beadswim/core/dense_systems.hpp"

@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <boost/math/special_functions/sinc.hpp>
 #include <cmath>
 #include <complex>

@@ -1,7 +1,6 @@
 #include "beadswim/theory/unsteady_multipole.hpp"
 
 #include <Eigen/LU>
-#include <cmath>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/multipole_mobility.hpp"
