@@ -38,10 +38,10 @@ constexpr LinkBead bead{.velocity = {0.01, -0.02, 0.003},
 
 /// Returns the link kernels for all instruction sets that this processor supports.
 std::vector<LinkKernels> kernels() {
-  std::vector<LinkKernels> kernels{BEADSWIM_LINK_KERNELS(baseline)};
+  std::vector<LinkKernels> kernels{LinkKernels::baseline};
 #ifdef BEADSWIM_ALL_INSTRUCTION_SETS
-  if (__builtin_cpu_supports("x86-64-v3")) kernels.push_back(BEADSWIM_LINK_KERNELS(x86_64_v3));
-  if (__builtin_cpu_supports("x86-64-v4")) kernels.push_back(BEADSWIM_LINK_KERNELS(x86_64_v4));
+  if (__builtin_cpu_supports("x86-64-v3")) kernels.push_back(LinkKernels::x86_64_v3);
+  if (__builtin_cpu_supports("x86-64-v4")) kernels.push_back(LinkKernels::x86_64_v4);
 #endif
   return kernels;
 }

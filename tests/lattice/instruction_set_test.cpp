@@ -29,16 +29,9 @@ Rows<Real> random_rows(long cells) {
 
 /// Returns the kernels for all instruction sets that this processor supports.
 std::vector<RowKernels> kernels() {
-  std::vector<RowKernels> kernels{
-      {baseline::sweep_row, baseline::sweep_row, baseline::totals_row, baseline::totals_row, "baseline"}};
-  if (__builtin_cpu_supports("x86-64-v3")) {
-    kernels.push_back({x86_64_v3::sweep_row, x86_64_v3::sweep_row, x86_64_v3::totals_row,
-                       x86_64_v3::totals_row, "x86-64-v3"});
-  }
-  if (__builtin_cpu_supports("x86-64-v4")) {
-    kernels.push_back({x86_64_v4::sweep_row, x86_64_v4::sweep_row, x86_64_v4::totals_row,
-                       x86_64_v4::totals_row, "x86-64-v4"});
-  }
+  std::vector<RowKernels> kernels{RowKernels::baseline};
+  if (__builtin_cpu_supports("x86-64-v3")) kernels.push_back(RowKernels::x86_64_v3);
+  if (__builtin_cpu_supports("x86-64-v4")) kernels.push_back(RowKernels::x86_64_v4);
   return kernels;
 }
 

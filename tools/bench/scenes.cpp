@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "beadswim/core/huge_pages.hpp"
+#include "beadswim/core/kernel_choice.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/lattice/fluid_step.hpp"
 #include "beadswim/lattice/halo.hpp"
@@ -139,11 +140,11 @@ Bandwidth::Bandwidth()
 }
 
 void Bandwidth::copy() {
-  stream_kernels().copy(source_.get(), destination_.get(), num_elements);
+  best_kernels<StreamKernels>().copy(source_.get(), destination_.get(), num_elements);
 }
 
 void Bandwidth::scale_in_place() {
-  stream_kernels().scale_in_place(source_.get(), num_elements, 0.999);
+  best_kernels<StreamKernels>().scale_in_place(source_.get(), num_elements, 0.999);
 }
 
 }  // namespace beadswim

@@ -20,7 +20,7 @@ BEADSWIM_KERNEL void stream_cells(const StreamRow<Real>& r, long first, long end
 /// Loads and stores all cells of a row. Prefetches six cache lines ahead, as the time step of the solver
 /// does. Without prefetching, this yardstick would be slower than the memory allows.
 template <class Real>
-BEADSWIM_KERNEL void stream(const StreamRow<Real>& row) {
+void stream(const StreamRow<Real>& row) {
   const StreamRow<Real> r = row;
   constexpr long line = 64 / sizeof(Real), lines_ahead = 6;
   const long cells_in_full_lines = r.cells / line * line;
@@ -30,13 +30,6 @@ BEADSWIM_KERNEL void stream(const StreamRow<Real>& row) {
     stream_cells(r, x, x + line);
   }
   stream_cells(r, cells_in_full_lines, r.cells);
-}
-
-void stream_row_fp64(const StreamRow<double>& row) {
-  stream(row);
-}
-void stream_row_fp32(const StreamRow<float>& row) {
-  stream(row);
 }
 
 void copy(const double* from, double* to, long numbers) {
@@ -49,3 +42,11 @@ void scale_in_place(double* numbers, long count, double factor) {
 }
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET
+
+namespace beadswim {
+
+const StreamKernels StreamKernels::BEADSWIM_INSTRUCTION_SET{
+    BEADSWIM_INSTRUCTION_SET::stream, BEADSWIM_INSTRUCTION_SET::stream, BEADSWIM_INSTRUCTION_SET::copy,
+    BEADSWIM_INSTRUCTION_SET::scale_in_place};
+
+}  // namespace beadswim

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "beadswim/core/huge_pages.hpp"
+#include "beadswim/core/kernel_choice.hpp"
 #include "beadswim/core/round_up.hpp"
 #include "stream_kernels.hpp"
 
@@ -68,7 +69,7 @@ void StreamYardstick::sweep() {
 
 template <class Real>
 void StreamYardstick::sweep_as() {
-  const StreamKernels& kernels = stream_kernels();
+  const StreamKernels& kernels = best_kernels<StreamKernels>();
   StreamRow<Real> row{.rows = {}, .cells = edge_};
   for (int z = 0; z < edge_; ++z) {
     for (int y = 0; y < edge_; ++y) {

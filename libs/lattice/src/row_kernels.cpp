@@ -52,8 +52,6 @@ template <class Real>
 void sweep_row(const SweepRow<Real>& row) {
   row.force.acts ? sweep_whole_row<true>(row) : sweep_whole_row<false>(row);
 }
-template void sweep_row(const SweepRow<double>&);
-template void sweep_row(const SweepRow<float>&);
 
 /// Sums of the density deviation and of the three momentum components over cells, one sum per lane of a
 /// vector. Each sum is split into a coarse and a fine part (order_free_cut.hpp).
@@ -104,7 +102,18 @@ RowTotals totals_row(const TotalsRow<Real>& row) {
   }
   return totals;
 }
-template RowTotals totals_row(const TotalsRow<double>&);
-template RowTotals totals_row(const TotalsRow<float>&);
+
+constexpr const char *baseline = "baseline", *x86_64_v3 = "x86-64-v3", *x86_64_v4 = "x86-64-v4";
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET
+
+namespace beadswim {
+
+const RowKernels RowKernels::BEADSWIM_INSTRUCTION_SET{
+    .sweep_fp64 = BEADSWIM_INSTRUCTION_SET::sweep_row,
+    .sweep_fp32 = BEADSWIM_INSTRUCTION_SET::sweep_row,
+    .totals_fp64 = BEADSWIM_INSTRUCTION_SET::totals_row,
+    .totals_fp32 = BEADSWIM_INSTRUCTION_SET::totals_row,
+    .instruction_set = BEADSWIM_INSTRUCTION_SET::BEADSWIM_INSTRUCTION_SET};
+
+}  // namespace beadswim

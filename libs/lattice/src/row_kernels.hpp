@@ -4,8 +4,7 @@
 #include "beadswim/lattice/d3q19.hpp"
 #include "beadswim/lattice/trt.hpp"
 
-// Loops over the cells of one row. row_kernels.cpp is compiled once per instruction set; row_kernels()
-// selects the instruction set at run time.
+// Loops over the cells of one row. row_kernels.cpp is compiled once per instruction set.
 
 namespace beadswim {
 
@@ -36,35 +35,21 @@ struct RowTotals {
   bool fits;                  ///< false if a term was too large or NaN; the sums are then invalid
 };
 
-#define BEADSWIM_DECLARE_ROW_KERNELS(instruction_set) \
-  namespace instruction_set {                         \
-  template <class Real>                               \
-  void sweep_row(const SweepRow<Real>& row);          \
-  template <class Real>                               \
-  RowTotals totals_row(const TotalsRow<Real>& row);   \
-  }
-
-BEADSWIM_DECLARE_ROW_KERNELS(baseline)
-#if defined(__x86_64__)
-BEADSWIM_DECLARE_ROW_KERNELS(x86_64_v3)
-BEADSWIM_DECLARE_ROW_KERNELS(x86_64_v4)
-#endif
-
 /// Kernels compiled for one instruction set.
 struct RowKernels {
   void (*sweep_fp64)(const SweepRow<double>&);
   void (*sweep_fp32)(const SweepRow<float>&);
   RowTotals (*totals_fp64)(const TotalsRow<double>&);
   RowTotals (*totals_fp32)(const TotalsRow<float>&);
-  const char* instruction_set;
+  const char* instruction_set;  ///< name
 
   void sweep(const SweepRow<double>& row) const { sweep_fp64(row); }
   void sweep(const SweepRow<float>& row) const { sweep_fp32(row); }
   RowTotals totals(const TotalsRow<double>& row) const { return totals_fp64(row); }
   RowTotals totals(const TotalsRow<float>& row) const { return totals_fp32(row); }
-};
 
-/// Returns the kernels of the best instruction set that this processor supports.
-const RowKernels& row_kernels();
+  static const RowKernels baseline, x86_64_v3,
+      x86_64_v4;  ///< of each instruction set (core/kernel_choice.hpp)
+};
 
 }  // namespace beadswim

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "beadswim/core/kernel_choice.hpp"
 #include "flush_subnormals.hpp"
 #include "row_kernels.hpp"
 
@@ -81,7 +82,7 @@ void BlockSweep::row_as(int y, int z) {
     row.cells = end - first;
     if (row.cells < std::min(cells, max_short_run) && y + 2 < populations_.size()[1])
       prefetch(row, populations_.cell(first, y + 2, z));
-    row_kernels().sweep(row);
+    best_kernels<RowKernels>().sweep(row);
   });
   row.first = populations_.cell(0, y, z);
   row.cells = cells;
@@ -108,7 +109,7 @@ Vec3 acting_body_force(const Vec3& body_force, Precision precision) {
 }
 
 std::string sweep_instruction_set() {
-  return row_kernels().instruction_set;
+  return best_kernels<RowKernels>().instruction_set;
 }
 
 }  // namespace beadswim

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "beadswim/core/kernel_choice.hpp"
 #include "beadswim/core/order_free_cut.hpp"
 #include "row_kernels.hpp"
 
@@ -31,7 +32,7 @@ template <class Real>
 void add_run(FluidTotals& totals, const Populations& populations, std::ptrdiff_t first, long cells) {
   TotalsRow<Real> row{.outgoing = {}, .cells = cells};
   for (int i = 0; i < d3q19::directions; ++i) row.outgoing[i] = populations.outgoing_row<Real>(i, first);
-  const RowTotals sums = row_kernels().totals(row);
+  const RowTotals sums = best_kernels<RowKernels>().totals(row);
   if (!sums.fits) {  // OrderFreeSum accepts larger terms, and throws if a term exceeds its range
     for (long x = 0; x < cells; ++x) totals.add(cell_moments(populations, first + x));
     return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "add_one_by_one.hpp"
+#include "beadswim/core/kernel_choice.hpp"
 #include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/moving_bounce_back.hpp"
 #include "beadswim/coupling/multireflection.hpp"
@@ -110,7 +111,7 @@ class LinkReflection {
     LinkSums& sums = boundary_.sums[at.covered->bead];
     sums.reserve_terms(LinkBatch::max_links / LinkSums::lanes);
     const LinkBead bead = link_bead(boundary_.beads[at.covered->bead], slip_);
-    if (!link_kernels().reflect<Real>(boundary_.links.scheme(), batch, bead, sums))
+    if (!best_kernels<LinkKernels>().reflect<Real>(boundary_.links.scheme(), batch, bead, sums))
       add_one_by_one(batch, batch.links, sums, boundary_.beads[at.covered->bead]);
     for (int k = 0; k < batch.links; ++k) *at.incoming[k] = static_cast<Real>(batch.returned[k]);
     batch.links = 0;

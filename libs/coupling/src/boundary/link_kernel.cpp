@@ -53,11 +53,19 @@ bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
   }
   return order_free::add_terms(batch.terms, places, sums);
 }
-template bool reflect<BeadScheme::staircase, double>(LinkBatch&, const LinkBead&, LinkSums&);
-template bool reflect<BeadScheme::staircase, float>(LinkBatch&, const LinkBead&, LinkSums&);
-template bool reflect<BeadScheme::cli, double>(LinkBatch&, const LinkBead&, LinkSums&);
-template bool reflect<BeadScheme::cli, float>(LinkBatch&, const LinkBead&, LinkSums&);
-template bool reflect<BeadScheme::mr, double>(LinkBatch&, const LinkBead&, LinkSums&);
-template bool reflect<BeadScheme::mr, float>(LinkBatch&, const LinkBead&, LinkSums&);
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET
+
+namespace beadswim {
+
+/// In the order of BeadScheme.
+const LinkKernels LinkKernels::BEADSWIM_INSTRUCTION_SET{{
+    {BEADSWIM_INSTRUCTION_SET::reflect<BeadScheme::staircase, double>,
+     BEADSWIM_INSTRUCTION_SET::reflect<BeadScheme::staircase, float>},
+    {BEADSWIM_INSTRUCTION_SET::reflect<BeadScheme::cli, double>,
+     BEADSWIM_INSTRUCTION_SET::reflect<BeadScheme::cli, float>},
+    {BEADSWIM_INSTRUCTION_SET::reflect<BeadScheme::mr, double>,
+     BEADSWIM_INSTRUCTION_SET::reflect<BeadScheme::mr, float>},
+}};
+
+}  // namespace beadswim

@@ -3,8 +3,7 @@
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/coupling/link_sums.hpp"
 
-// Vectorised evaluation of many links of one bead. link_kernel.cpp is compiled once per instruction set;
-// link_kernels() selects the instruction set at run time.
+// Vectorised evaluation of many links of one bead. link_kernel.cpp is compiled once per instruction set.
 
 namespace beadswim {
 
@@ -50,28 +49,9 @@ struct LinkKernels {
   bool reflect(BeadScheme scheme, LinkBatch& batch, const LinkBead& bead, LinkSums& sums) const {
     return reflect_by_scheme[static_cast<int>(scheme)][sizeof(Real) == sizeof(float)](batch, bead, sums);
   }
+
+  static const LinkKernels baseline, x86_64_v3,
+      x86_64_v4;  ///< of each instruction set (core/kernel_choice.hpp)
 };
-
-#define BEADSWIM_DECLARE_LINK_KERNELS(instruction_set)  \
-  namespace instruction_set {                           \
-  template <BeadScheme scheme, class Real>              \
-  bool reflect(LinkBatch&, const LinkBead&, LinkSums&); \
-  }
-
-BEADSWIM_DECLARE_LINK_KERNELS(baseline)
-#if defined(__x86_64__)
-BEADSWIM_DECLARE_LINK_KERNELS(x86_64_v3)
-BEADSWIM_DECLARE_LINK_KERNELS(x86_64_v4)
-#endif
-
-/// Link kernels of one instruction set, in the order of BeadScheme.
-#define BEADSWIM_LINK_KERNELS_OF(set, scheme) \
-  { set::reflect<BeadScheme::scheme, double>, set::reflect<BeadScheme::scheme, float> }
-#define BEADSWIM_LINK_KERNELS(set)                                                            \
-  (LinkKernels{{BEADSWIM_LINK_KERNELS_OF(set, staircase), BEADSWIM_LINK_KERNELS_OF(set, cli), \
-                BEADSWIM_LINK_KERNELS_OF(set, mr)}})
-
-/// Returns the kernels of the best instruction set that this processor supports.
-const LinkKernels& link_kernels();
 
 }  // namespace beadswim

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "add_one_by_one.hpp"
+#include "beadswim/core/kernel_choice.hpp"
 #include "beadswim/coupling/saturated_cell.hpp"
 #include "beadswim/lattice/moments.hpp"
 #include "saturated_kernel.hpp"
@@ -135,7 +136,7 @@ class SaturatedRowUpdate {
                              .viscosity = boundary_.viscosity};
     SaturatedSums& sums = boundary_.sums[b];
     sums.reserve_terms(SaturatedBatch<Real>::max_cells / SaturatedSums::lanes);
-    if (!saturated_kernels().push(batch_, bead, sums))
+    if (!best_kernels<SaturatedKernels>().push(batch_, bead, sums))
       add_one_by_one(batch_, batch_.cells, sums, boundary_.beads[b]);
   }
 

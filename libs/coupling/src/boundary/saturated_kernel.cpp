@@ -89,7 +89,12 @@ bool push_cells(SaturatedBatch<Real>& batch, const SaturatedBead& bead, Saturate
   for (int first = 0; first < batch.cells; first += lanes) push_lanes(batch, bead, first);
   return order_free::add_terms(batch.terms, batch.cells, sums);
 }
-template bool push_cells(SaturatedBatch<double>&, const SaturatedBead&, SaturatedSums&);
-template bool push_cells(SaturatedBatch<float>&, const SaturatedBead&, SaturatedSums&);
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET
+
+namespace beadswim {
+
+const SaturatedKernels SaturatedKernels::BEADSWIM_INSTRUCTION_SET{BEADSWIM_INSTRUCTION_SET::push_cells,
+                                                                  BEADSWIM_INSTRUCTION_SET::push_cells};
+
+}  // namespace beadswim

@@ -3,8 +3,8 @@
 #include "beadswim/coupling/saturated_sums.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 
-// Vectorised evaluation of many cells of one bead. saturated_kernel.cpp is compiled once per instruction set;
-// saturated_kernels() selects the instruction set at run time.
+// Vectorised evaluation of many cells of one bead. saturated_kernel.cpp is compiled once per instruction
+// set.
 
 namespace beadswim {
 
@@ -40,21 +40,9 @@ struct SaturatedKernels {
   bool push(SaturatedBatch<float>& batch, const SaturatedBead& bead, SaturatedSums& sums) const {
     return push_fp32(batch, bead, sums);
   }
+
+  static const SaturatedKernels baseline, x86_64_v3,
+      x86_64_v4;  ///< of each instruction set (core/kernel_choice.hpp)
 };
-
-#define BEADSWIM_DECLARE_SATURATED_KERNELS(instruction_set)                     \
-  namespace instruction_set {                                                   \
-  template <class Real>                                                         \
-  bool push_cells(SaturatedBatch<Real>&, const SaturatedBead&, SaturatedSums&); \
-  }
-
-BEADSWIM_DECLARE_SATURATED_KERNELS(baseline)
-#if defined(__x86_64__)
-BEADSWIM_DECLARE_SATURATED_KERNELS(x86_64_v3)
-BEADSWIM_DECLARE_SATURATED_KERNELS(x86_64_v4)
-#endif
-
-/// Returns the kernels of the best instruction set that this processor supports.
-const SaturatedKernels& saturated_kernels();
 
 }  // namespace beadswim

@@ -64,4 +64,12 @@ BEADSWIM_KERNEL void with_window(int window, const Work& work) {
   }
 }
 
+/// Adds the three values of each bead, multiplied by the weights of its window, to the three meshes.
+void spread_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* numbers,
+                    double* const* onto);
+/// Adds to the three values of each bead the sums of the mesh values, multiplied by the weights of its
+/// window.
+void gather_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* const* from,
+                    double* numbers);
+
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

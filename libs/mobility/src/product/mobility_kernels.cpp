@@ -212,3 +212,12 @@ void gather_windows(const WindowMesh& mesh, const WindowBeads& beads, const doub
 }
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET
+
+namespace beadswim {
+
+const MobilityKernels MobilityKernels::BEADSWIM_INSTRUCTION_SET{
+    .find_near_spheres = BEADSWIM_INSTRUCTION_SET::find_near_spheres,
+    .pair_velocities = BEADSWIM_INSTRUCTION_SET::pair_velocities,
+    .multiply_waves = BEADSWIM_INSTRUCTION_SET::multiply_waves};
+
+}  // namespace beadswim

@@ -80,24 +80,6 @@ struct FieldFactors {
   double q = 0;  ///< in D [length^2]
 };
 
-#define BEADSWIM_DECLARE_MOBILITY_KERNELS(instruction_set)                                                 \
-  namespace instruction_set {                                                                              \
-  int find_near_spheres(const SortedSpheres& spheres, int one, int begin, int end, double cutoff,          \
-                        PairBatch& batch);                                                                 \
-  void pair_velocities(const PairTable& table, const double* force, PairBatch& batch, double* velocity);   \
-  void spread_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* numbers,             \
-                      double* const* onto);                                                                \
-  void gather_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* const* from,         \
-                      double* numbers);                                                                    \
-  void multiply_waves(const WaveRow& row, int fields, const FieldFactors* factors, double* const* values); \
-  }
-
-BEADSWIM_DECLARE_MOBILITY_KERNELS(baseline)
-#if defined(__x86_64__)
-BEADSWIM_DECLARE_MOBILITY_KERNELS(x86_64_v3)
-BEADSWIM_DECLARE_MOBILITY_KERNELS(x86_64_v4)
-#endif
-
 struct MobilityKernels {
   /// Adds to the batch each sphere in [begin, end) that is nearer than `cutoff` to sphere `one`, unless
   /// neither of the two spheres is a receiver. Returns the index at which to continue: `end`, or less if the
@@ -106,11 +88,6 @@ struct MobilityKernels {
   /// Sets the velocities of the other spheres of a batch that the force on the one sphere causes. Adds to
   /// `velocity` the velocity of the one sphere that the forces on the other spheres cause.
   void (*pair_velocities)(const PairTable&, const double* force, PairBatch&, double* velocity);
-  /// Adds the three values of each bead, multiplied by the weights of its window, to the three meshes.
-  void (*spread_windows)(const WindowMesh&, const WindowBeads&, const double* numbers, double* const* onto);
-  /// Adds to the three values of each bead the sums of the mesh values, multiplied by the weights of its
-  /// window.
-  void (*gather_windows)(const WindowMesh&, const WindowBeads&, const double* const* from, double* numbers);
   // clang-format off
   /// Replaces the Fourier modes of the sources of each field by those of their flow. `values`: three components
   /// per field.
@@ -122,9 +99,9 @@ struct MobilityKernels {
   /// windows apply.
   // clang-format on
   void (*multiply_waves)(const WaveRow&, int fields, const FieldFactors* factors, double* const* values);
-};
 
-/// Returns the kernels of the best instruction set that this processor supports.
-const MobilityKernels& mobility_kernels();
+  static const MobilityKernels baseline, x86_64_v3,
+      x86_64_v4;  ///< of each instruction set (core/kernel_choice.hpp)
+};
 
 }  // namespace beadswim

@@ -317,3 +317,14 @@ void gather_moments(int order, const WindowMesh& mesh, const WindowBeads& beads,
 }
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET
+
+namespace beadswim {
+
+const MomentKernels MomentKernels::BEADSWIM_INSTRUCTION_SET{
+    .moment_pairs = BEADSWIM_INSTRUCTION_SET::moment_pairs,
+    .mirror_flow = BEADSWIM_INSTRUCTION_SET::mirror_flow,
+    .gather_mirror_flows = BEADSWIM_INSTRUCTION_SET::gather_mirror_flows,
+    .spread_moments = BEADSWIM_INSTRUCTION_SET::spread_moments,
+    .gather_moments = BEADSWIM_INSTRUCTION_SET::gather_moments};
+
+}  // namespace beadswim

@@ -49,24 +49,6 @@ struct OneSphere {
 using MeshValues = double* const*;
 using ConstMeshValues = const double* const*;
 
-#define BEADSWIM_DECLARE_MOMENT_KERNELS(instruction_set)                                                  \
-  namespace instruction_set {                                                                             \
-  void moment_pairs(int order, const OneSphere& one, MomentPairs& pairs);                                 \
-  void mirror_flow(int order, int axis, const PointSources& sources, MirrorFlowParts& flow);              \
-  void gather_mirror_flows(int order, int axis, const WindowMesh& mesh, const WindowBeads& points,        \
-                           const double* const* from, MirrorFlow* flows);                                 \
-  void spread_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, const double* sources, \
-                      MeshValues onto);                                                                   \
-  void gather_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, ConstMeshValues from,  \
-                      double* flows);                                                                     \
-  }
-
-BEADSWIM_DECLARE_MOMENT_KERNELS(baseline)
-#if defined(__x86_64__)
-BEADSWIM_DECLARE_MOMENT_KERNELS(x86_64_v3)
-BEADSWIM_DECLARE_MOMENT_KERNELS(x86_64_v4)
-#endif
-
 struct MomentKernels {
   /// Evaluates the flows of all pairs in both directions.
   void (*moment_pairs)(int order, const OneSphere&, MomentPairs&);
@@ -84,9 +66,9 @@ struct MomentKernels {
   /// divided by the volume of a mesh cell.
   void (*gather_moments)(int order, const WindowMesh&, const WindowBeads&, ConstMeshValues from,
                          double* flows);
-};
 
-/// Returns the kernels of the best instruction set that this processor supports.
-const MomentKernels& moment_kernels();
+  static const MomentKernels baseline, x86_64_v3,
+      x86_64_v4;  ///< of each instruction set (core/kernel_choice.hpp)
+};
 
 }  // namespace beadswim

@@ -1,7 +1,6 @@
 #include "moment_sum.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "moment_flow.hpp"
 #include "moment_kernels.hpp"
@@ -44,7 +43,7 @@ void MomentSum::flush(Work& work) const {
   const std::size_t n = elements();
   OneSphere one{.source = &work.sources[n * work.one], .size = {}, .flow = &work.flows[n * work.one]};
   std::ranges::copy(moment_sizes(work.radii[work.one]), one.size);
-  moment_kernels().moment_pairs(law_.order, one, pairs);
+  best_kernels<MomentKernels>().moment_pairs(law_.order, one, pairs);
   for (int lane = 0; lane < work.count; ++lane)
     for (std::size_t k = 0; k < n; ++k) work.flows[n * work.other[lane] + k] += pairs.flow[k][lane];
   work.count = 0;
@@ -162,7 +161,7 @@ void MomentSum::subtract_far_flow(std::span<const double> sources, std::span<dou
     OneSphere one{.source = none.data(), .size = {}, .flow = flow.data()};
     for (int l = 0; l < 3; ++l) one.size[l] = pairs.size[l][0] = size[l];
     for (std::size_t k = 0; k < n; ++k) pairs.source[k][0] = sources[n * b + k];
-    moment_kernels().moment_pairs(law_.order, one, pairs);
+    best_kernels<MomentKernels>().moment_pairs(law_.order, one, pairs);
     for (std::size_t k = 0; k < n; ++k) flows[n * b + k] -= flow[k];
   }
 }

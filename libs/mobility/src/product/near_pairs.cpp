@@ -134,7 +134,8 @@ void NearPairs::flush(Work& work, int one) const {
     ++kept;
   }
   batch.count = kept;
-  mobility_kernels().pair_velocities(table_, work.forces[one].data(), batch, work.velocities[one].data());
+  best_kernels<MobilityKernels>().pair_velocities(table_, work.forces[one].data(), batch,
+                                                  work.velocities[one].data());
   for (int t = 0; t < kept; ++t)
     for (int a = 0; a < 3; ++a) work.velocities[batch.other[t]][a] += batch.velocity[a][t];
   batch.count = 0;

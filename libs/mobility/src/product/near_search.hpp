@@ -42,8 +42,8 @@ class NearSearch {
     const auto [first, last] = rank_share(std::ssize(order()), communicator.rank(), communicator.size());
     for (int place = static_cast<int>(first); place < last; ++place) {
       cells_.for_each_range_after(place, [&](int begin, int end) {
-        while ((begin = mobility_kernels().find_near_spheres(spheres_, place, begin, end, cutoff_, batch)) <
-               end)
+        while ((begin = best_kernels<MobilityKernels>().find_near_spheres(spheres_, place, begin, end,
+                                                                          cutoff_, batch)) < end)
           sum(place);
       });
       sum(place);

@@ -46,18 +46,18 @@ struct ParticleMesh::Mesh {
   const Communicator& communicator;
   bool is_periodic;
   std::size_t fields = 1;
-  std::optional<SourceClasses> classes;  ///< nullopt: F, or F and D
+  std::optional<SourceClasses> classes{};  ///< nullopt: F, or F and D
   double shared_size = 0;  ///< a_i^2 + a_j^2, equal for all pairs if there is one field [length^2]
-  WindowMesh geometry;
+  WindowMesh geometry{};
   std::array<double, 3> spacing{};  ///< h [length]
-  std::unique_ptr<MeshTransform> transform;
-  std::vector<std::array<FftwArray, 3>> values;  ///< mesh values per field: forces, replaced by velocities
-  std::vector<int> order;                        ///< beads sorted by rows of the mesh, for memory locality
-  std::vector<std::vector<std::array<double, 6>>> kernel;  ///< open space: Fourier transforms of K and L
+  std::unique_ptr<MeshTransform> transform{};
+  std::vector<std::array<FftwArray, 3>> values{};  ///< mesh values per field: forces, replaced by velocities
+  std::vector<int> order{};                        ///< beads sorted by rows of the mesh, for memory locality
+  std::vector<std::vector<std::array<double, 6>>> kernel{};  ///< open space: Fourier transforms of K and L
   /// Over a wall: imaginary part of the Fourier transform of the kernel of p/eta, and mesh values of p/eta.
-  std::vector<std::array<double, 3>> pressure_kernel;
-  FftwArray pressure;
-  std::unique_ptr<MemoryField> memory;  ///< null: steady flow
+  std::vector<std::array<double, 3>> pressure_kernel{};
+  FftwArray pressure{};
+  std::unique_ptr<MemoryField> memory{};  ///< null: steady flow
 
   void set_points(const std::array<int, 3>& points);
   void fit_to_beads(std::span<const Vec3> positions);
@@ -86,19 +86,7 @@ ParticleMesh::ParticleMesh(const EwaldPlan& plan, const Vec3& lengths, Beads bea
                      .lengths = lengths,
                      .beads = std::move(beads),
                      .communicator = communicator,
-                     .is_periodic = lengths[0] > 0,
-                     .fields = 1,
-                     .classes = {},
-                     .shared_size = 0,
-                     .geometry = {},
-                     .spacing = {},
-                     .transform = {},
-                     .values = {},
-                     .order = {},
-                     .kernel = {},
-                     .pressure_kernel = {},
-                     .pressure = {},
-                     .memory = {}}) {
+                     .is_periodic = lengths[0] > 0}) {
   const std::vector<double>& squares = mesh_->beads.squared_radii;
   const auto [smallest, largest] = std::ranges::minmax_element(squares);
   // At mirror points the velocities of one field would contain the size of the bead there, which the wall's
@@ -312,8 +300,8 @@ void ParticleMesh::Mesh::spread(std::span<const Vec3> positions, std::span<const
       onto[c] = values[f][c].get();
       std::fill_n(onto[c], transform->reals(), 0.0);
     }
-    moment_kernels().spread_moments(beads.moment_order, geometry, {std::ssize(places), places[0].data()},
-                                    sorted.data(), onto.data());
+    best_kernels<MomentKernels>().spread_moments(
+        beads.moment_order, geometry, {std::ssize(places), places[0].data()}, sorted.data(), onto.data());
   }
 }
 
@@ -325,8 +313,8 @@ void ParticleMesh::Mesh::gather(std::span<const Vec3> positions, std::span<doubl
   for (std::size_t f = 0; f < fields; ++f) {
     const std::array<const double*, 3> from{values[f][0].get(), values[f][1].get(), values[f][2].get()};
     std::vector<double> sums(3 * count * places.size(), 0.0);
-    moment_kernels().gather_moments(beads.moment_order, geometry, {std::ssize(places), places[0].data()},
-                                    from.data(), sums.data());
+    best_kernels<MomentKernels>().gather_moments(
+        beads.moment_order, geometry, {std::ssize(places), places[0].data()}, from.data(), sums.data());
     for (std::size_t s = 0; s < places.size(); ++s)
       for (std::size_t n = 0; n < 3 * count; ++n)
         flows[3 * count * order[s] + n] +=
@@ -341,8 +329,8 @@ void ParticleMesh::Mesh::gather_mirrors(int axis, std::span<const Vec3> points,
   std::vector<MirrorFlow> flows(places.size());
   const std::array<const double*, 4> from{values[0][0].get(), values[0][1].get(), values[0][2].get(),
                                           pressure.get()};
-  moment_kernels().gather_mirror_flows(beads.moment_order, axis, geometry,
-                                       {std::ssize(places), places[0].data()}, from.data(), flows.data());
+  best_kernels<MomentKernels>().gather_mirror_flows(
+      beads.moment_order, axis, geometry, {std::ssize(places), places[0].data()}, from.data(), flows.data());
   const double volume = spacing[0] * spacing[1] * spacing[2];
   for (std::size_t s = 0; s < places.size(); ++s) at_mirrors[order[s]].add(volume, flows[s]);
 }
@@ -392,7 +380,7 @@ void ParticleMesh::Mesh::multiply_periodic() {
   }
   const double scale = 1 / (double(n[0]) * n[1] * n[2]);  // h^3/V: mesh cell over box volume
   std::vector<double*> rows(3 * fields);
-  const auto multiply = mobility_kernels().multiply_waves;
+  const auto multiply = best_kernels<MobilityKernels>().multiply_waves;
   transform->for_each_row([&](std::ptrdiff_t place, int i, int j) {
     for (std::size_t f = 0; f < fields; ++f)
       for (int c = 0; c < 3; ++c) rows[3 * f + c] = values[f][c].get() + 2 * place;

@@ -34,7 +34,7 @@ void WallImages::add_flow_at_mirror(std::span<const Vec3> positions, std::span<c
       for (int l = 0; l < 3; ++l) batch.size[l][lane] = sizes[l];
       for (int k = 0; k < numbers; ++k) batch.source[k][lane] = is_used ? sources[numbers * sphere + k] : 0;
     }
-    moment_kernels().mirror_flow(law_.order, law_.half_space.axis, batch, parts);
+    best_kernels<MomentKernels>().mirror_flow(law_.order, law_.half_space.axis, batch, parts);
   }
   const auto add = [](double& to, const double* part) {
     for (int lane = 0; lane < lanes; ++lane) to += part[lane];
