@@ -131,9 +131,34 @@ TEST(FieldsInJson, AreNullOrMissingAsTheirMarksSay) {
   EXPECT_EQ(Json(Json(all).get<Limits>()), Json(all));
 }
 
-/// Catches a record that is taken from JSON which has not all its keys.
-TEST(FieldsInJson, AreRefusedWhereAKeyIsMissing) {
-  EXPECT_THROW(static_cast<void>(Json({{"error", 1.5}}).get<Limits>()), Json::exception);
+/// Catches an object that replaces more of a record than it contains.
+TEST(FieldsInJson, KeepTheirValuesWhereAKeyIsMissing) {
+  Limits limits{.largest = 1.5, .error = 0.25, .gap = 2.0, .mach = 0.5, .steps = {1, 2}};
+  Json{{"error", nullptr}, {"steps", {3}}}.get_to(limits);
+  EXPECT_EQ(Json(limits).dump(), R"({"largest":1.5,"gap":2.0,"mach":0.5,"steps":[3],"error":null})");
+}
+
+struct Link {
+  std::array<int, 2> beads{};
+  int multiple = 1;
+  std::string word;
+  Vec3 direction = Vec3::UnitX();
+
+  static void visit_fields(auto&& visit, auto& link) {
+    visit("beads", link.beads, counted_from_one);
+    visit("multiple", link.multiple, omitted_if(1));
+    visit("word", link.word, omitted_when(link.multiple == 1));
+    visit("direction", link.direction, of_unit_length);
+  }
+};
+
+TEST(FieldsInJson, HaveTheFormThatTheirMarksSay) {
+  const Link link{.beads = {0, 4}};
+  EXPECT_EQ(Json(link).dump(), R"({"beads":[1,5],"direction":[1.0,0.0,0.0]})");
+  const Json json = Json::parse(R"({"beads":[1,5],"multiple":3,"word":"a","direction":[0.0,2.0,0.0]})");
+  const Link read = json.get<Link>();
+  EXPECT_EQ(read.beads, (std::array{0, 4}));
+  EXPECT_EQ(Json(read).dump(), R"({"beads":[1,5],"multiple":3,"word":"a","direction":[0.0,1.0,0.0]})");
 }
 
 }  // namespace

@@ -218,7 +218,7 @@ TEST(FreeBeads, ReturnOnTheirPathUnderForcesReversedInTime) {
   SwimmerType type = beads_at({Vec3(0, 0, 0), Vec3(9, 1, 0), Vec3(2, 8, 3), Vec3(-3, 2, 9)}, 3);
   type.beads[1].radius = 2;
   for (int b = 0; b < 3; ++b) add_bond(type, b, b + 1, 0);
-  type.driving.net_force_allowed = true;
+  type.driving.net_force = NetForce::allowed;
   for (int b = 0; b < 4; ++b)
     type.driving.forces.push_back({.bead = b,
                                    .direction = Vec3(1, b - 1.5, 0.3 * b * b - 1).normalized(),
@@ -255,7 +255,7 @@ TEST(TowedChain, MovesAsARigidRod) {
   SwimmerType type = beads_at(places, 1);
   for (int b = 0; b < 11; ++b) add_bond(type, b, b + 1, 1e3);
   for (int b = 0; b < 10; ++b) type.angles.push_back({.beads = {b, b + 1, b + 2}, .stiffness = 1e5});
-  type.driving.net_force_allowed = true;
+  type.driving.net_force = NetForce::allowed;
   constexpr double force = 0.01;
   std::array<double, 2> resistance{};
   for (const int axis : {0, 1}) {

@@ -216,7 +216,7 @@ TEST(Drives, TurnWithTheirFrame) {
   const Vec3 direction = random_vector(random).normalized();
   type.driving = {.period = 8,
                   .forces = {{.bead = 2, .direction = direction, .constant = 0.3}},
-                  .net_force_allowed = true};
+                  .net_force = NetForce::allowed};
   const Eigen::Matrix3d start = random_rotation(random), now = random_rotation(random);
   const BeadVectors at = columns(rest_positions(type, Vec3(1, 2, 3), now));
   const auto force = [&](DrivingFrame frame) {

@@ -74,7 +74,7 @@ TEST(ThreeBeadForm, IsThatOfNoOtherGraph) {
       },
       [](SwimmerType& type) { type.driving.angles = {{.angle = 0, .harmonics = {{.amplitude = 1}}}}; },
       [](SwimmerType& type) { type.driving.bonds.push_back({.bond = 0, .harmonics = {{.amplitude = 1}}}); },
-      [](SwimmerType& type) { type.driving.net_force_allowed = true; }};
+      [](SwimmerType& type) { type.driving.net_force = NetForce::allowed; }};
   const std::vector<Edit> forces{
       [](SwimmerType& type) { type.driving.forces[0].harmonics.push_back({.amplitude = 0.1}); },
       [](SwimmerType& type) { type.driving.forces[0].harmonics.clear(); },

@@ -49,8 +49,8 @@ struct ProductRow {
     visit("surroundings", row.surroundings);
     visit("ranks", row.ranks);
     visit("tolerance", row.tolerance);
-    visit("multipole_order", row.multipole_order, omitted_if_zero);
-    visit("iterations", row.iterations, omitted_if_zero);
+    visit("multipole_order", row.multipole_order, omitted_if(0));
+    visit("iterations", row.iterations, omitted_if(0));
     visit("seconds", row.seconds);
     visit("seconds_best", row.seconds_best);
     visit("mesh_seconds", row.mesh_seconds, omitted_if_none);

@@ -10,7 +10,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
-#include "beadswim/io/box_json.hpp"
+#include "beadswim/io/fields_json.hpp"
 #include "beadswim/tools/program.hpp"
 #include "swimmer_flags.hpp"
 

@@ -12,12 +12,8 @@ constexpr const char* schema_name = "beadswim/failure/1";
 }  // namespace
 
 Json failure_to_json(const FailureDocument& failure) {
-  Json json{{"schema", schema_name},
-            {"status", "failed"},
-            {"program", failure.program},
-            {"member", failure.member},
-            {"reason", failure.reason}};
-  if (!failure.study.is_null()) json["study"] = failure.study;
+  Json json{{"schema", schema_name}, {"status", "failed"}};
+  add_fields(json, failure);
   return json;
 }
 

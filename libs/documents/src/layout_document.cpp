@@ -1,73 +1,28 @@
 #include "beadswim/documents/layout_document.hpp"
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
 #include "absent_features.hpp"
-#include "beadswim/io/box_json.hpp"
 #include "beadswim/io/document_fault.hpp"
-#include "beadswim/io/fields_json.hpp"
 #include "beadswim/io/schema.hpp"
 #include "beadswim/scene/check.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
-#include "shape_json.hpp"
+#include "layout_json.hpp"
 
 namespace beadswim {
 namespace {
 
 constexpr const char *schema_one = "beadswim/layout/1", *schema_two = "beadswim/layout/2";
 
-// --- units
+const std::array<std::pair<const char*, Quantity>, 3> quantities{
+    {{"length", Quantity::length}, {"time", Quantity::time}, {"mass", Quantity::mass}}};
 
-Units::Unit unit_from(const Json& json, Quantity quantity) {
-  if (json.is_string()) return *find_known_unit(quantity, json.get<std::string>());
-  return json.get<Units::Unit>();
-}
-
-Json json_of(const Units::Unit& unit, Quantity quantity) {
-  if (find_known_unit(quantity, unit.name)) return unit.name;
-  return unit;
-}
-
-Units units_from(const Json& json) {
-  if (json.is_string()) return {};
-  return {.lattice = false,
-          .length = unit_from(json["length"], Quantity::length),
-          .time = unit_from(json["time"], Quantity::time),
-          .mass = unit_from(json["mass"], Quantity::mass)};
-}
-
-Json json_of(const Units& units) {
-  if (units.lattice) return "lattice";
-  return {{"length", json_of(units.length, Quantity::length)},
-          {"time", json_of(units.time, Quantity::time)},
-          {"mass", json_of(units.mass, Quantity::mass)}};
-}
-
-// --- driving
-
-/// Returns a copy of `driving` in which the members that `json` contains are replaced.
-ThreeBeadDriving override_driving(ThreeBeadDriving driving, const Json& json) {
-  visit_fields(
-      [&](const char* name, auto& field, auto...) {
-        if (json.contains(name)) json[name].get_to(field);
-      },
-      driving);
-  return driving;
-}
-
-/// Returns the members of a swimmer's driving that differ from `of_type`, the driving of the swimmer's type.
-Json difference(const ThreeBeadDriving& driving, const ThreeBeadDriving& of_type) {
-  Json json = driving;
-  const Json ordinary = of_type;
-  for (const auto& [key, value] : ordinary.items()) {
-    if (json.contains(key) && json[key] == value) json.erase(key);
-  }
-  if (driving.phase_offset == 0 && of_type.phase_offset != 0) json["phase_offset"] = 0.0;
-  return json;
-}
-
-// --- versions
-
-/// Version 1 of layouts describes the paper's three-bead swimmers, version 2 swimmers of any shape.
+/// Version 1 of layouts describes the paper's three-bead swimmers, version 2 swimmers of any shape. The JSON
+/// of version 1 contains three_bead_form() of types and drivings.
 enum class Version { one, two };
 
 /// Returns the version with which a layout is written: 1 if it can express the layout.
@@ -81,79 +36,80 @@ Version version_of(const Layout& layout) {
   return one ? Version::one : Version::two;
 }
 
-// --- types
-
-/// Converts JSON to a swimmer type. Driving parameters that the JSON omits keep their default values.
-SwimmerType type_from(Json json, Version version) {
-  if (version == Version::two) return shape_from_json(json);
-  json["driving"] = override_driving({}, json["driving"]);
-  return swimmer_type(json.get<ThreeBeadSwimmer>());
+Json json_of(const Driving& driving, Version version) {
+  return version == Version::one ? Json(*three_bead_form(driving)) : Json(driving);
 }
 
-// --- swimmers
-
-Swimmer swimmer_from(const Json& json, const std::map<std::string, SwimmerType>& types, Version version) {
-  Swimmer swimmer{.id = json["id"].get<int>(),
-                  .type = json["type"].get<std::string>(),
-                  .position = json["position"].get<Vec3>()};
-  if (json.contains("orientation")) {
-    const auto [w, x, y, z] = json["orientation"].get<std::array<double, 4>>();
-    swimmer.turn.emplace(w, x, y, z);
-  } else if (json.contains("axis")) {
-    json["axis"].get_to(swimmer.axis);
+/// Returns the members of a swimmer's driving that differ from `of_type`, the driving of the swimmer's type.
+Json difference(Json driving, const Json& of_type) {
+  for (const auto& [key, value] : of_type.items()) {
+    if (!driving.contains(key)) {  // the member has its default, which the driving of the type has not
+      driving[key] = key == "phase_offset" ? Json(0.0) : key == "net_force" ? Json("zero") : Json::array();
+    } else if (driving[key] == value) {
+      driving.erase(key);
+    }
   }
-  const auto type = types.find(swimmer.type);  // check_layout reports unknown types
-  if (json.contains("driving") && type != types.end() && version == Version::two) {
-    swimmer.driving = override_shape_driving(type->second.driving, json["driving"]);
-  } else if (json.contains("driving") && type != types.end()) {
-    swimmer.driving = drives(override_driving(three_beads(type->second).driving, json["driving"]));
-  }
-  return swimmer;
+  return driving;
 }
 
-Json json_of(const Swimmer& swimmer, const SwimmerType& type, Version version) {
-  Json json{{"id", swimmer.id}, {"type", swimmer.type}, {"position", swimmer.position}};
-  if (swimmer.turn) {
-    json["orientation"] = {swimmer.turn->w(), swimmer.turn->x(), swimmer.turn->y(), swimmer.turn->z()};
-  } else {
-    json["axis"] = swimmer.axis;
-  }
-  if (swimmer.driving && version == Version::two) {
-    Json own = shape_driving_difference(*swimmer.driving, type.driving);
-    if (!own.empty()) json["driving"] = std::move(own);
-  } else if (swimmer.driving) {
-    Json own = difference(*three_bead_form(*swimmer.driving), three_beads(type).driving);
-    if (!own.empty()) json["driving"] = std::move(own);
-  }
-  return json;
+/// Returns a copy of `driving` in which the members that `json` contains are replaced.
+template <class AnyDriving>
+AnyDriving overridden(AnyDriving driving, const Json& json) {
+  json.get_to(driving);
+  return driving;
 }
 
-/// Appends fluid, domain, flow, body force, types and swimmers to a JSON object.
-void add_scene(Json& json, const Layout& layout, Version version) {
-  json["fluid"] = layout.fluid;
-  json["domain"] = layout.domain;
-  if (!layout.flow.is_zero()) json["flow"] = layout.flow;
-  if (!layout.body_force.isZero(0)) json["body_force"] = layout.body_force;
-  json["types"] = Json::object();
-  json["swimmers"] = Json::array();
+/// Completes the JSON of a layout: types and drivings in the form of the version.
+void add_drivings(Json& json, const Layout& layout, Version version) {
   for (const auto& [name, type] : layout.types)
-    json["types"][name] = version == Version::one ? Json(three_beads(type)) : shape_to_json(type);
-  for (const Swimmer& swimmer : layout.swimmers)
-    json["swimmers"].push_back(json_of(swimmer, layout.types.at(swimmer.type), version));
+    if (version == Version::one) json["types"][name] = three_beads(type);
+  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
+    const Swimmer& swimmer = layout.swimmers[s];
+    if (!swimmer.driving) continue;
+    const Driving& of_type = layout.types.at(swimmer.type).driving;
+    Json own = difference(json_of(*swimmer.driving, version), json_of(of_type, version));
+    if (!own.empty()) json["swimmers"][s]["driving"] = std::move(own);
+  }
 }
 
-Layout layout_from(const Json& json, Version version) {
-  Layout layout;
-  layout.units = units_from(json["units"]);
-  json["fluid"].get_to(layout.fluid);
-  json["domain"].get_to(layout.domain);
-  if (json.contains("flow")) json["flow"].get_to(layout.flow);
-  if (json.contains("body_force")) json["body_force"].get_to(layout.body_force);
-  for (const auto& [name, type] : json["types"].items()) layout.types[name] = type_from(type, version);
-  for (const Json& swimmer : json["swimmers"])
-    layout.swimmers.push_back(swimmer_from(swimmer, layout.types, version));
-  if (json.contains("resolution")) json["resolution"].get_to(layout.resolution);
-  return layout;
+/// Reads the drivings of the swimmers of a layout.
+void read_drivings(const Json& swimmers, Layout& layout, Version version) {
+  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
+    const auto type = layout.types.find(layout.swimmers[s].type);  // check_layout reports unknown types
+    if (!swimmers[s].contains("driving") || type == layout.types.end()) continue;
+    const Json& own = swimmers[s]["driving"];
+    layout.swimmers[s].driving = version == Version::one
+                                     ? drives(overridden(three_beads(type->second).driving, own))
+                                     : overridden(type->second.driving, own);
+  }
+}
+
+void add_drive_faults(const Json& driving, const std::string& place, std::vector<DocumentFault>& faults) {
+  const Json drives = driving.value("bonds", Json::array());
+  for (std::size_t n = 0; n < drives.size(); ++n) {
+    if (drives[n].contains("tension") != drives[n].contains("rest_length")) continue;
+    faults.push_back(
+        {fmt::format("{}/bonds/{}", place, n),
+         "a drive of a bond needs exactly one of the keys \"tension\" and \"rest_length\"; write "
+         "two drives to change both"});
+  }
+}
+
+/// Returns faults of a layout of version 2 that its schema does not know: swimmers with axis and orientation,
+/// and drives of bonds without or with both of tension and rest length.
+std::vector<DocumentFault> faults_beyond_schema(const Json& layout) {
+  std::vector<DocumentFault> faults;
+  for (const auto& [name, type] : layout["types"].items())
+    add_drive_faults(type["driving"], "/types/" + name + "/driving", faults);
+  for (std::size_t s = 0; s < layout["swimmers"].size(); ++s) {
+    const Json& swimmer = layout["swimmers"][s];
+    const std::string place = fmt::format("/swimmers/{}", s);
+    if (swimmer.contains("driving")) add_drive_faults(swimmer["driving"], place + "/driving", faults);
+    if (swimmer.contains("axis") && swimmer.contains("orientation"))
+      faults.push_back(
+          {place + "/orientation", "the swimmer has an axis and an orientation; leave one of them out"});
+  }
+  return faults;
 }
 
 }  // namespace
@@ -165,11 +121,10 @@ LayoutDocument layout_from_json(const Json& json, const std::string& source) {
   const Version version = is_one ? Version::one : Version::two;
   if (schema == schema_one) refuse_absent_features(json, source);
   validate_json(json, version == Version::one ? "layout" : "layout-2", source);
-  if (version == Version::two) throw_if_faulty(source, shape_faults(json));
+  if (version == Version::two) throw_if_faulty(source, faults_beyond_schema(json));
 
-  LayoutDocument document{.layout = layout_from(json, version),
-                          .provenance = json.value("provenance", Json::array()),
-                          .study = json.value("study", Json())};
+  LayoutDocument document = json.get<LayoutDocument>();
+  read_drivings(json["swimmers"], document.layout, version);
   normalise_axes(document.layout);
   std::vector<DocumentFault> faults;
   for (const LayoutFault& fault : check_layout(document.layout))
@@ -189,17 +144,19 @@ LayoutDocument read_layout(const std::string& path) {
 Json layout_to_json(const LayoutDocument& document) {
   const Layout& layout = document.layout;
   const Version version = version_of(layout);
-  Json json{{"schema", version == Version::one ? schema_one : schema_two}, {"units", json_of(layout.units)}};
-  add_scene(json, layout, version);
-  if (layout.resolution) json["resolution"] = layout.resolution;
-  if (!document.study.is_null()) json["study"] = document.study;
-  json["provenance"] = document.provenance;
+  Json json{{"schema", version == Version::one ? schema_one : schema_two}};
+  add_fields(json, document);
+  add_drivings(json, layout, version);
+  for (const auto& [key, quantity] : quantities)
+    if (!layout.units.lattice && find_known_unit(quantity, json["units"][key]["name"]))
+      json["units"][key] = Json(json["units"][key]["name"]);
   return json;
 }
 
 Json scene_to_json(const Layout& layout) {
-  Json json;
-  add_scene(json, layout, version_of(layout));
+  Json json = layout;
+  add_drivings(json, layout, version_of(layout));
+  for (const char* key : {"units", "resolution"}) json.erase(key);
   return json;
 }
 

@@ -5,7 +5,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/schema.hpp"
-#include "units_json.hpp"
+#include "layout_json.hpp"
 
 /// Converts the settings of a prediction to a JSON object and back: one key per setting, in order, with a
 /// string or a number as value.
@@ -51,27 +51,17 @@ std::optional<double> number_setting(const Prediction& prediction, const std::st
 }
 
 Json predictions_to_json(const PredictionDocument& document) {
-  Json json{{"schema", "beadswim/prediction/1"}, {"units", document.units},
-            {"swimmer", document.swimmer},       {"predictions", document.predictions},
-            {"left_out", document.left_out},     {"warnings", document.warnings}};
-  if (!document.study.is_null()) json["study"] = document.study;
-  json["provenance"] = document.provenance;
+  Json json{{"schema", "beadswim/prediction/1"}};
+  add_fields(json, document);
   if (document.scene) json["scene"] = scene_to_json(*document.scene);
   return json;
 }
 
 PredictionDocument predictions_from_json(const Json& json, const std::string& source) {
   validate_json(json, "prediction", source);
-  PredictionDocument document;
-  json.at("units").get_to(document.units);
-  json.at("swimmer").get_to(document.swimmer);
-  json.at("predictions").get_to(document.predictions);
+  PredictionDocument document = json.get<PredictionDocument>();
   for (std::size_t p = 0; p < document.predictions.size(); ++p)
     require_equal_arms(document.predictions[p], fmt::format("{}:/predictions/{}", source, p));
-  document.left_out = json.value("left_out", document.left_out);
-  document.warnings = json.value("warnings", std::vector<std::string>());
-  document.study = json.value("study", Json());
-  document.provenance = json.value("provenance", Json::array());
   if (json.contains("scene")) document.scene = scene_from_json(json["scene"], document.units, source);
   return document;
 }

@@ -4,11 +4,9 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
-#include "beadswim/io/box_json.hpp"
-#include "beadswim/io/fields_json.hpp"
 #include "beadswim/io/schema.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
-#include "units_json.hpp"
+#include "layout_json.hpp"
 
 namespace beadswim {
 namespace {

@@ -42,7 +42,7 @@ void check_light_beads(const OverdampedScene& scene, double density, const std::
 /// Throws InputError if swimmers are towed, whose flow reaches the images of a cube that replaces open space.
 void check_net_forces(const OverdampedScene& scene, const std::string& source) {
   for (const SwimmerType& type : scene.types) {
-    if (!type.driving.net_force_allowed) continue;
+    if (type.driving.net_force == NetForce::zero) continue;
     throw InputError(
         source, fmt::format("driving forces that do not sum to zero need a box in the model unsteady, which "
                             "replaces open space by a periodic cube; give a box, or use {} rpy",

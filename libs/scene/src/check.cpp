@@ -220,7 +220,7 @@ void check_driving(const std::string& place, const SwimmerType& type, Faults& fa
                      "greater than {}, the sum of their radii; lower the amplitudes",
                      shortest, i + 1, j + 1, contact)});
   }
-  if (driving.net_force_allowed) return;
+  if (driving.net_force == NetForce::allowed) return;
   for (const auto& [multiple, size] : net_forces(driving)) {
     faults.push_back(
         {place + "/forces",

@@ -198,7 +198,7 @@ SwimmerType swimmer_type(const TowedSphere& sphere, const Fluid& fluid) {
   const double force = sphere.force.value_or(force_of_a_radius(sphere, sphere.radius[0], fluid));
   type.driving.forces = {{.bead = 0, .direction = sphere.direction, .constant = force}};
   if (sphere.amplitude != 0) type.driving.forces[0].harmonics = {{.amplitude = sphere.amplitude}};
-  type.driving.net_force_allowed = true;
+  type.driving.net_force = NetForce::allowed;
   return type;
 }
 
@@ -210,7 +210,7 @@ SwimmerType swimmer_type(const TowedChain& chain, const Fluid& fluid) {
   const double force = chain.force.value_or(force_of_a_radius(chain, largest_radius(chain), fluid));
   for (int b = 0; b < chain.beads; ++b)
     type.driving.forces.push_back({.bead = b, .direction = chain.direction, .constant = force});
-  type.driving.net_force_allowed = true;
+  type.driving.net_force = NetForce::allowed;
   return type;
 }
 

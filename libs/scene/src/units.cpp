@@ -1,29 +1,22 @@
 #include "beadswim/scene/units.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace beadswim {
 
 const std::vector<Units::Unit>& known_units(Quantity quantity) {
-  static const std::vector<Units::Unit> lengths{
-      {"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"nm", 1e-9}};
-  static const std::vector<Units::Unit> times{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}};
-  static const std::vector<Units::Unit> masses{{"kg", 1},     {"g", 1e-3},   {"mg", 1e-6}, {"ug", 1e-9},
-                                               {"ng", 1e-12}, {"pg", 1e-15}, {"fg", 1e-18}};
-  switch (quantity) {
-    case Quantity::length:
-      return lengths;
-    case Quantity::time:
-      return times;
-    default:
-      return masses;
-  }
+  static const std::map<Quantity, std::vector<Units::Unit>> units{
+      {Quantity::length, {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"nm", 1e-9}}},
+      {Quantity::time, {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}},
+      {Quantity::mass,
+       {{"kg", 1}, {"g", 1e-3}, {"mg", 1e-6}, {"ug", 1e-9}, {"ng", 1e-12}, {"pg", 1e-15}, {"fg", 1e-18}}}};
+  return units.at(quantity);
 }
 
 const Units::Unit* find_known_unit(Quantity quantity, const std::string& name) {
   const auto& units = known_units(quantity);
-  const auto unit = std::find_if(units.begin(), units.end(),
-                                 [&name](const Units::Unit& known) { return known.name == name; });
+  const auto unit = std::ranges::find(units, name, &Units::Unit::name);
   return unit == units.end() ? nullptr : &*unit;
 }
 

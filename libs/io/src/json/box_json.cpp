@@ -46,17 +46,4 @@ void from_json(const Json& json, Domain& domain) {
   }
 }
 
-void to_json(Json& json, const BackgroundFlow& flow) {
-  Json rows = Json::array();
-  for (int c = 0; c < 3; ++c) rows.push_back(Vec3(flow.velocity_gradient.row(c)));
-  json = {{"velocity_gradient", rows}, {"velocity", flow.velocity}};
-}
-
-void from_json(const Json& json, BackgroundFlow& flow) {
-  flow = {};
-  if (json.contains("velocity")) json.at("velocity").get_to(flow.velocity);
-  if (!json.contains("velocity_gradient")) return;
-  for (int c = 0; c < 3; ++c) flow.velocity_gradient.row(c) = json.at("velocity_gradient").at(c).get<Vec3>();
-}
-
 }  // namespace beadswim

@@ -16,7 +16,7 @@ struct ErrorEstimate {
   double largest() const { return std::max(velocity, largest_of_arms()); }  ///< maximum of all errors
 
   static void visit_fields(auto&& visit, auto& error) {
-    visit("velocity", error.velocity, omitted_if_zero);  // zero if no swimmer swims
+    visit("velocity", error.velocity, omitted_if(0));  // zero if no swimmer swims
     visit("arm_amplitudes", error.arm_amplitudes);
   }
 };

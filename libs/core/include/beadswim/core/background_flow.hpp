@@ -20,6 +20,11 @@ struct BackgroundFlow {
   }
 
   bool operator==(const BackgroundFlow&) const = default;
+
+  static void visit_fields(auto&& visit, auto& flow) {
+    visit("velocity_gradient", flow.velocity_gradient);
+    visit("velocity", flow.velocity);
+  }
 };
 
 }  // namespace beadswim

@@ -51,6 +51,12 @@ struct Box {
   bool has_mirrors(int axis) const { return boundary[axis] == Boundary::free_slip; }
 
   bool operator==(const Box&) const = default;
+
+  static void visit_fields(auto&& visit, auto& box) {
+    visit("lengths", box.lengths);
+    visit("boundary", box.boundary);
+    visit("walls", box.walls);
+  }
 };
 
 /// The part of space that the fluid fills: all of space if it has neither box nor half-space. It has at most
@@ -60,6 +66,11 @@ struct Domain {
   std::optional<HalfSpace> half_space{};
 
   bool operator==(const Domain&) const = default;
+
+  static void visit_fields(auto&& visit, auto& domain) {
+    visit("box", domain.box);
+    visit("half_space", domain.half_space);
+  }
 };
 
 /// Returns, for each periodic axis, the number of the periodic copy of the box that contains the position:

@@ -19,7 +19,7 @@
 //   };
 //
 // The function visit_fields calls visit(name, field, marks...) once per field, in the order of the list: with
-// the name of the field, a reference to the field, and optional marks. A mark is an empty struct, defined
+// the name of the field, a reference to the field, and optional marks. A mark is a small struct, defined
 // below, that changes how some visitors treat the field; other visitors ignore it.
 //
 // This one list of fields determines the keys of JSON objects (io/fields_json.hpp), the contents of
@@ -49,9 +49,30 @@ void visit_fields(auto&& visit, Record& record) {
 struct OmittedIfNone {};
 inline constexpr OmittedIfNone omitted_if_none;
 
-/// Mark of a number in visit_fields: JSON output omits the number if it is 0.
-struct OmittedIfZero {};
-inline constexpr OmittedIfZero omitted_if_zero;
+/// Mark of a field in visit_fields: JSON output omits the field if it has this value.
+template <class T>
+struct OmittedIf {
+  T value;
+};
+constexpr auto omitted_if(auto value) {
+  return OmittedIf<decltype(value)>{value};
+}
+
+/// Mark of a field in visit_fields: JSON output omits the field if `is_omitted` is true.
+struct OmittedWhen {
+  bool is_omitted = false;
+};
+constexpr OmittedWhen omitted_when(bool is_omitted) {
+  return {is_omitted};
+}
+
+/// Mark of an index, or of an array of indices, in visit_fields: JSON contains the indices plus 1.
+struct CountedFromOne {};
+inline constexpr CountedFromOne counted_from_one;
+
+/// Mark of a unit vector in visit_fields: JSON input may contain a vector of any length.
+struct OfUnitLength {};
+inline constexpr OfUnitLength of_unit_length;
 
 /// Mark of a number in visit_fields: JSON output contains null if the number is infinite.
 struct NullIfInfinite {};

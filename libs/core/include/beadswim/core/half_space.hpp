@@ -17,6 +17,8 @@ struct HalfSpace {
   }
 
   bool operator==(const HalfSpace&) const = default;
+
+  static void visit_fields(auto&& visit, auto& half_space) { visit("axis", half_space.axis); }
 };
 
 /// Returns the half-space whose wall is across the axis "x", "y" or "z".

@@ -12,6 +12,13 @@ struct FailureDocument {
   int member = 1;  ///< position of the layout in the stream, from 1
   std::string reason;
   Json study{};  ///< study of the layout (layout_document.hpp)
+
+  static void visit_fields(auto&& visit, auto& failure) {
+    visit("program", failure.program);
+    visit("member", failure.member);
+    visit("reason", failure.reason);
+    visit("study", failure.study, omitted_if_none);
+  }
 };
 
 /// Returns the document as JSON.

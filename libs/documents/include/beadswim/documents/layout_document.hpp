@@ -13,6 +13,12 @@ struct LayoutDocument {
   Layout layout;
   Json provenance = Json::array();
   Json study{};  ///< object: value of each varied quantity by its name; null: nothing was varied
+
+  static void visit_fields(auto&& visit, auto& document) {
+    Layout::visit_fields(visit, document.layout);
+    visit("study", document.study, omitted_if_none);
+    visit("provenance", document.provenance);
+  }
 };
 
 /// Converts a JSON document to a layout after validation against the schema. Also checks relations between

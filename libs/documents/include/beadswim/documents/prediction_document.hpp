@@ -33,6 +33,16 @@ struct PredictionDocument {
   Json provenance = Json::array();    ///< one entry per program that made the document
   Json study{};                       ///< study of the layout (layout_document.hpp)
   std::optional<Layout> scene{};      ///< nullopt for large swarms, or if unknown
+
+  static void visit_fields(auto&& visit, auto& document) {  // scene_to_json() converts `scene`
+    visit("units", document.units);
+    visit("swimmer", document.swimmer);
+    visit("predictions", document.predictions);
+    visit("left_out", document.left_out);
+    visit("warnings", document.warnings);
+    visit("study", document.study, omitted_if_none);
+    visit("provenance", document.provenance);
+  }
 };
 
 /// Returns the document as JSON.

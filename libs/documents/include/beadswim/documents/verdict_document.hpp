@@ -35,6 +35,14 @@ struct VerdictDocument {
   std::optional<VerdictCost> cost;
   std::vector<SceneDifference> scene_differences{};
   Json study{};  ///< study of the first run (layout_document.hpp); null: none
+
+  static void visit_fields(auto&& visit, auto& document) {
+    visit("decided_by", document.decided_by);
+    visit("rows", document.rows);
+    visit("scene_differences", document.scene_differences);
+    visit("cost", document.cost);
+    visit("study", document.study, omitted_if_none);
+  }
 };
 
 /// Returns the sum of the costs of all runs; nullopt if the cost of a run is not known.

@@ -57,6 +57,14 @@ struct Swimmer {
 
   /// Returns the orientation; its first column is `axis`.
   Eigen::Matrix3d orientation() const;
+
+  static void visit_fields(auto&& visit, auto& swimmer) {  // layout_document.hpp writes `driving`
+    visit("id", swimmer.id);
+    visit("type", swimmer.type);
+    visit("position", swimmer.position);
+    visit("orientation", swimmer.turn, omitted_if_none);
+    visit("axis", swimmer.axis, omitted_when(swimmer.turn.has_value()));
+  }
 };
 
 /// Proposed discretisation of a resolved run. Programs may choose another one.
@@ -87,6 +95,17 @@ struct Layout {
   /// Returns the type of a swimmer. If the swimmer has its own driving, the returned type contains this
   /// driving.
   SwimmerType resolved_type(const Swimmer& swimmer) const;
+
+  static void visit_fields(auto&& visit, auto& layout) {
+    visit("units", layout.units);
+    visit("fluid", layout.fluid);
+    visit("domain", layout.domain);
+    visit("flow", layout.flow, omitted_if(BackgroundFlow{}));
+    visit("body_force", layout.body_force, omitted_when(layout.body_force.isZero(0)));
+    visit("types", layout.types);
+    visit("swimmers", layout.swimmers);
+    visit("resolution", layout.resolution, omitted_if_none);
+  }
 };
 
 /// Returns the domain in words, for figures and messages: "box 120 × 80 × 80", "open space" or "half-space

@@ -31,6 +31,11 @@ struct BeadAtRest : Bead {
   Vec3 at = Vec3::Zero();  ///< centre at rest, in the frame of the type [length]
 
   bool operator==(const BeadAtRest&) const = default;
+
+  static void visit_fields(auto&& visit, auto& bead) {
+    Bead::visit_fields(visit, bead);
+    visit("at", bead.at);
+  }
 };
 
 struct Spring {
@@ -52,6 +57,11 @@ struct Bond : Spring {
   std::array<int, 2> beads{};
 
   bool operator==(const Bond&) const = default;
+
+  static void visit_fields(auto&& visit, auto& bond) {
+    visit("beads", bond.beads, counted_from_one);
+    Spring::visit_fields(visit, bond);
+  }
 };
 
 /// Angular spring with the energy U = K_A (theta - rest)^2/2. theta in [0, pi] is the angle between the
@@ -62,6 +72,12 @@ struct Angle {
   double rest = 0;       ///< [radian]
 
   bool operator==(const Angle&) const = default;
+
+  static void visit_fields(auto&& visit, auto& angle) {
+    visit("beads", angle.beads, counted_from_one);
+    visit("stiffness", angle.stiffness);
+    visit("rest", angle.rest);
+  }
 };
 
 /// A sin(n (w t + phi) + phase): amplitude A, multiple n of the angular frequency w, phase offset phi of the
@@ -72,6 +88,12 @@ struct Harmonic {
   int multiple = 1;
 
   bool operator==(const Harmonic&) const = default;
+
+  static void visit_fields(auto&& visit, auto& harmonic) {
+    visit("amplitude", harmonic.amplitude);
+    visit("phase", harmonic.phase, omitted_if(0));
+    visit("multiple", harmonic.multiple, omitted_if(1));
+  }
 };
 
 /// Force on a bead along a direction: a constant and harmonics [mass length/time^2].
@@ -82,6 +104,13 @@ struct ForceDrive {
   std::vector<Harmonic> harmonics{};
 
   bool operator==(const ForceDrive&) const = default;
+
+  static void visit_fields(auto&& visit, auto& drive) {
+    visit("bead", drive.bead, counted_from_one);
+    visit("direction", drive.direction, of_unit_length);
+    visit("constant", drive.constant, omitted_if(0));
+    visit("harmonics", drive.harmonics, omitted_if_none);
+  }
 };
 
 /// Quantity of a bond that a drive adds to.
@@ -90,12 +119,22 @@ enum class BondQuantity {
   rest_length,  ///< [length]
 };
 
+template <>
+inline constexpr auto name_table<BondQuantity> = std::to_array<NamedValue<BondQuantity>>(
+    {{BondQuantity::tension, "tension"}, {BondQuantity::rest_length, "rest_length"}});
+
 struct BondDrive {
   int bond = 0;
   BondQuantity quantity = BondQuantity::tension;
   std::vector<Harmonic> harmonics{};
 
   bool operator==(const BondDrive&) const = default;
+
+  static void visit_fields(auto&& visit, auto& drive) {
+    visit("bond", drive.bond, counted_from_one);
+    visit("quantity", drive.quantity);
+    visit("harmonics", drive.harmonics);
+  }
 };
 
 /// Change of the rest angle of an angular spring [radian].
@@ -104,6 +143,11 @@ struct AngleDrive {
   std::vector<Harmonic> harmonics{};
 
   bool operator==(const AngleDrive&) const = default;
+
+  static void visit_fields(auto&& visit, auto& drive) {
+    visit("angle", drive.angle, counted_from_one);
+    visit("rest", drive.harmonics);
+  }
 };
 
 /// Frame in which the directions of driving forces are constant.
@@ -117,6 +161,13 @@ template <>
 inline constexpr auto name_table<DrivingFrame> = std::to_array<NamedValue<DrivingFrame>>(
     {{DrivingFrame::lab, "lab"}, {DrivingFrame::initial_axis, "initial-axis"}, {DrivingFrame::body, "body"}});
 
+/// Sum of the driving forces of a swimmer.
+enum class NetForce { zero, allowed };
+
+template <>
+inline constexpr auto name_table<NetForce> =
+    std::to_array<NamedValue<NetForce>>({{NetForce::zero, "zero"}, {NetForce::allowed, "allowed"}});
+
 /// Drives with a common period. Forces, tensions, rest lengths and rest angles are functions of time alone.
 struct Driving {
   double period = 0;        ///< T = 2 pi/w [time]
@@ -125,9 +176,19 @@ struct Driving {
   std::vector<ForceDrive> forces{};
   std::vector<BondDrive> bonds{};
   std::vector<AngleDrive> angles{};
-  bool net_force_allowed = false;  ///< false: the forces sum to zero at all times
+  NetForce net_force = NetForce::zero;  ///< zero: the forces sum to zero at all times
 
   bool operator==(const Driving&) const = default;
+
+  static void visit_fields(auto&& visit, auto& driving) {
+    visit("period", driving.period);
+    visit("phase_offset", driving.phase_offset, omitted_if(0));
+    visit("frame", driving.frame);
+    visit("forces", driving.forces, omitted_if_none);
+    visit("bonds", driving.bonds, omitted_if_none);
+    visit("angles", driving.angles, omitted_if_none);
+    visit("net_force", driving.net_force, omitted_if(NetForce::zero));
+  }
 };
 
 /// Calls visit(harmonic) for each harmonic of all drives.
@@ -151,6 +212,13 @@ struct SwimmerType {
   Driving driving;
 
   bool operator==(const SwimmerType&) const = default;
+
+  static void visit_fields(auto&& visit, auto& type) {
+    visit("beads", type.beads);
+    visit("bonds", type.bonds, omitted_if_none);
+    visit("angles", type.angles, omitted_if_none);
+    visit("driving", type.driving);
+  }
 };
 
 }  // namespace beadswim

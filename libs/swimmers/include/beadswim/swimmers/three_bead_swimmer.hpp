@@ -32,7 +32,7 @@ struct ThreeBeadDriving {
     visit("phase", driving.phase);
     visit("period", driving.period);
     visit("frame", driving.frame);
-    visit("phase_offset", driving.phase_offset, omitted_if_zero);
+    visit("phase_offset", driving.phase_offset, omitted_if(0));
   }
 };
 
