@@ -28,7 +28,7 @@ void require_success(const SwimmingDocument& document, const std::string& source
 /// Returns the differences between the scenes of run and reference. Throws InputError if the units differ, or
 /// if --allow-difference does not name one of the differences.
 std::vector<SceneDifference> require_same_scene(const RunFile& run, const SourceDocument& reference,
-                                                const std::vector<SceneProperty>& allowed) {
+                                                const std::vector<std::string>& allowed) {
   if (!same_units(run.record.units, units_of(reference.document))) {
     throw InputError(reference.source, fmt::format("the reference has other units of length, time or mass "
                                                    "than {}; compare files made from the same layout",
@@ -37,7 +37,7 @@ std::vector<SceneDifference> require_same_scene(const RunFile& run, const Source
   const std::vector<SceneDifference> differences = scene_differences(run.record, reference.document);
   std::vector<std::string> names, refused;
   for (const SceneDifference& difference : differences) {
-    names.push_back(to_text(difference.property));
+    names.push_back(difference.property);
     if (std::ranges::find(allowed, difference.property) == allowed.end())
       refused.push_back(in_words(difference));
   }

@@ -52,9 +52,14 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
                   "Driving cycle of each run that is compared: the last, cycle number N (the first is 1), or "
                   "the mean over the last N cycles")
       ->type_name("last|N|mean:N");
-  add_choices(program, "--allow-difference", request.allowed_differences,
-              "Properties in which the scenes of run and reference may differ, such as domain,fluid; the "
-              "verdict lists the differences")
+  program
+      .add_option("--allow-difference", request.allowed_differences,
+                  "Properties in which the scenes of run and reference may differ, such as domain,fluid; the "
+                  "verdict lists the differences")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(one_of(scene_property_names()))
+      ->type_name("NAME,...")
       ->default_str("none");
   program.add_flag("--all", request.shows_all,
                    "Print all rows of the table, not only what decides and the best.");

@@ -148,7 +148,7 @@ std::string verdict_table(const VerdictDocument& document, bool shows_all) {
                          document.rows.size() - shown,
                          sections.size() < all_sections ? " and of swimmers with smaller errors" : "");
   for (const auto& [property, run, reference] : document.scene_differences)
-    table += fmt::format("allowed difference: {}: run {}, reference {}\n", to_text(property), run, reference);
+    table += fmt::format("allowed difference: {}: run {}, reference {}\n", property, run, reference);
   const bool pass = verdict(document.rows);
   return table + fmt::format("verdict: {}, decided by {}, tolerance {:g} %\n", pass ? "pass" : "FAIL",
                              document.decided_by, 100 * document.rows.front().tolerance);

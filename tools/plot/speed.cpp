@@ -54,8 +54,8 @@ struct ComparedScene {
 std::vector<SceneDifference> find_differences(const RunRecord& run, const SwimmingDocument& other) {
   std::vector<SceneDifference> differences = scene_differences(run, other);
   if (std::holds_alternative<RunRecord>(other))  // a scene can have more swimmers than its record lists
-    add_differences(differences, {{SceneProperty::swimmers, swimmers_value(swimmers_of(run))}},
-                    {{SceneProperty::swimmers, swimmers_value(swimmers_of(other))}});
+    add_differences(differences, {{"swimmers", swimmers_value(swimmers_of(run))}},
+                    {{"swimmers", swimmers_value(swimmers_of(other))}});
   return differences;
 }
 

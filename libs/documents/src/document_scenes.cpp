@@ -22,17 +22,19 @@ SceneProperties properties_of(const Layout& scene, int id) {
 /// Returns the properties that a run record without scene states of a swimmer. The swimmer has the base
 /// period if the record does not list it.
 SceneProperties stated_properties(const RunRecord& run, int id) {
+  Layout stated;
+  stated.domain = run.domain;
+  stated.flow = run.flow.value_or(BackgroundFlow{});
+  stated.body_force = run.body_force.value_or(Vec3::Zero());
+  for (const int each : swimmers_of(run)) stated.swimmers.emplace_back().id = each;
+  SceneProperties properties = common_properties(stated);
+  properties.erase("fluid");
+  DrivingRecord driving = run.driving;
   const auto swimmer = std::ranges::find(run.swimmers, id, &SwimmerRecord::id);
-  const bool has_period = swimmer != run.swimmers.end() && swimmer->period;
-  SceneProperties properties{
-      {SceneProperty::domain, domain_value(run.domain)},
-      {SceneProperty::flow, flow_value(run.flow.value_or(BackgroundFlow{}))},
-      {SceneProperty::body_force, body_force_value(run.body_force.value_or(Vec3::Zero()))},
-      {SceneProperty::swimmers, swimmers_value(swimmers_of(run))},
-      {SceneProperty::period, numbers_value({has_period ? *swimmer->period : run.driving.period})}};
-  if (const auto& amplitude = run.driving.amplitude)
-    properties[SceneProperty::amplitude] = numbers_value({amplitude->front(), amplitude->back()});
-  if (run.driving.phase) properties[SceneProperty::phase] = numbers_value({*run.driving.phase});
+  if (swimmer != run.swimmers.end()) driving.period = swimmer->period.value_or(driving.period);
+  std::vector<FieldLeaf> leaves = leaves_of(driving, "/driving");
+  std::erase_if(leaves, [](const FieldLeaf& leaf) { return leaf.word == "none"; });
+  properties.merge(properties_of(leaves));
   return properties;
 }
 
@@ -40,15 +42,22 @@ SceneProperties stated_properties(const RunRecord& run, int id) {
 /// the only swimmer of the document.
 SceneProperties stated_properties(const PredictionDocument& document, int /*id*/) {
   SceneProperties properties;
+  const auto state = [&](const char* field, const std::vector<std::optional<double>>& numbers) {
+    std::vector<FieldLeaf> leaves;
+    for (const auto& number : numbers)
+      leaves.push_back({"/driving/" + std::string(field), number.value_or(0)});
+    if (!numbers.front()) return;
+    SceneProperties stated = properties_of(leaves);
+    stated.merge(properties);
+    properties = std::move(stated);
+  };
   for (const Prediction& prediction : document.predictions) {
-    if (const auto period = number_setting(prediction, "period"))
-      properties[SceneProperty::period] = numbers_value({*period});
-    if (const auto phase = number_setting(prediction, "phase"))
-      properties[SceneProperty::phase] = numbers_value({*phase});
+    state("period", {number_setting(prediction, "period")});
+    state("phase", {number_setting(prediction, "phase")});
     const auto amplitude = number_setting(prediction, "amplitude"),
                ratio = number_setting(prediction, "amplitude_ratio");
-    if (amplitude && ratio.value_or(1) != 0)  // a ratio of 0 does not state B
-      properties[SceneProperty::amplitude] = numbers_value({*amplitude, ratio ? *amplitude / *ratio : 0});
+    if (ratio != 0)  // a ratio of 0 does not state B
+      state("amplitude", {amplitude, amplitude && ratio ? *amplitude / *ratio : std::optional<double>()});
   }
   return properties;
 }
@@ -67,13 +76,11 @@ std::vector<SceneDifference> scene_differences(const RunRecord& run, const Swimm
     const auto other = std::visit([id](const auto& any) { return properties_of(any, id); }, reference);
     add_differences(differences, properties_of(run, id), other);
   }
-  std::ranges::sort(differences, {}, &SceneDifference::property);
   return differences;
 }
 
 std::string in_words(const SceneDifference& difference) {
-  return fmt::format("{} {} instead of {}", to_text(difference.property), difference.reference,
-                     difference.run);
+  return fmt::format("{} {} instead of {}", difference.property, difference.reference, difference.run);
 }
 
 }  // namespace beadswim

@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <fnmatch.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 
@@ -19,20 +19,98 @@ bool agree(double a, double b) {
 }
 
 bool agree(const PropertyValue& a, const PropertyValue& b) {
-  return std::ranges::equal(a.numbers, b.numbers, [](double x, double y) { return agree(x, y); });
+  return std::ranges::equal(a.leaves, b.leaves, [](const FieldLeaf& x, const FieldLeaf& y) {
+    return agree(x.number, y.number) && x.word == y.word;
+  });
 }
 
-/// Returns "4" for equal numbers, otherwise "4, 5, 4". The digits suffice to read the same numbers back.
-std::string joined(const std::vector<double>& numbers) {
-  if (numbers.empty()) return "none";
-  if (std::ranges::count(numbers, numbers.front()) == std::ssize(numbers))
-    return fmt::format("{}", numbers.front());
-  return fmt::format("{}", fmt::join(numbers, ", "));
+// --- Names of properties
+
+enum class InText { always, unless_zero, never };
+
+/// Property of the leaves whose pointers match a pattern, in which * stands for any text.
+struct PropertyRow {
+  const char* pattern;
+  const char* property;
+  InText in_text = InText::always;
+};
+
+/// The first row that matches a pointer applies. Without a row, the first key of the pointer names the
+/// property. Texts contain the leaves in the order of the rows.
+constexpr PropertyRow property_rows[]{
+    {"/driving/period", "period"},
+    {"/driving/frame", "frame"},
+    {"/driving*/phase", "phase"},
+    {"/driving/phase_offset", "placing"},
+    {"/driving/amplitude*", "amplitude"},
+    {"/driving/forces/*/amplitude", "amplitude"},
+    {"/driving/forces/*/constant", "amplitude", InText::unless_zero},
+    {"/driving/*/amplitude", "amplitude"},
+    {"/driving*", "amplitude", InText::never},  // what is driven
+    {"/beads/*/radius", "radius"},
+    {"/beads/*/density", "bead_density"},
+    {"/angular_stiffness", "angular_stiffness"},
+    {"/angles/*/stiffness", "angular_stiffness"},
+    {"/*/stiffness", "stiffness"},
+    {"/*/damping", "damping"},
+    {"/*/rest_length", "arm"},
+    // where beads are at rest, what joins which beads, and the rest angles
+    {"/beads*", "arm", InText::never},
+    {"/springs*", "arm", InText::never},
+    {"/bonds*", "arm", InText::never},
+    {"/angles*", "arm", InText::never},
+    {"/flow/velocity/*", "flow"},
+    {"/id", "swimmers"},
+    {"/type", "placing"},  // names of types do not matter
+    {"/position*", "placing"},
+    {"/axis*", "placing"},
+    {"/orientation*", "placing"},
+};
+
+const PropertyRow* row_of(const std::string& pointer) {
+  return std::ranges::find_if(
+      property_rows, [&](const PropertyRow& row) { return fnmatch(row.pattern, pointer.c_str(), 0) == 0; });
 }
 
-PropertyValue fluid_value(const Fluid& fluid) {
-  return {{fluid.density, fluid.kinematic_viscosity},
-          fmt::format("density {}, viscosity {}", fluid.density, fluid.kinematic_viscosity)};
+std::string property_of(const std::string& pointer) {
+  const PropertyRow* const row = row_of(pointer);
+  return row == std::end(property_rows) ? pointer.substr(1, pointer.find('/', 1) - 1) : row->property;
+}
+
+bool is_in_text(const FieldLeaf& leaf) {
+  const PropertyRow* const row = row_of(leaf.pointer);
+  return row == std::end(property_rows) || row->in_text == InText::always ||
+         (row->in_text == InText::unless_zero && leaf.number != 0);
+}
+
+/// Returns "4" for equal values, otherwise "4, 5, 4". The digits suffice to read the same numbers back.
+std::string text_of(const std::vector<FieldLeaf>& leaves) {
+  std::vector<std::string> texts;
+  for (const FieldLeaf& leaf : leaves)
+    if (is_in_text(leaf)) texts.push_back(leaf.word.empty() ? fmt::format("{}", leaf.number) : leaf.word);
+  if (texts.empty()) return "none";
+  if (std::ranges::count(texts, texts.front()) == std::ssize(texts)) return texts.front();
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// Returns true for a field of a layout that belongs to all swimmers. Units are equal, and the resolution is
+/// a proposal.
+bool is_common(const std::string& field) {
+  return field != "units" && field != "types" && field != "swimmers" && field != "resolution";
+}
+
+std::string domain_text(const Domain& domain) {
+  if (!domain.box) return in_words(domain);
+  const Box& box = *domain.box;
+  std::string text = fmt::format("{} x {} x {}", box.lengths.x(), box.lengths.y(), box.lengths.z());
+  for (const Boundary boundary : box.boundary) text += ", " + to_text(boundary);
+  for (int a = 0; a < 3; ++a) {
+    const WallVelocities& walls = box.walls[a];
+    if (walls.are_moving())
+      text += fmt::format(", walls across {} with velocities ({}) and ({})", "xyz"[a],
+                          fmt::join(walls.lower, ", "), fmt::join(walls.upper, ", "));
+  }
+  return text;
 }
 
 // --- Swimmers that both scenes contain
@@ -99,10 +177,11 @@ std::string orientation_text(const Swimmer& swimmer) {
 std::optional<SceneDifference> placing_difference(const Layout& run, const Layout& reference,
                                                   const std::vector<Pair>& pairs) {
   const auto difference = [](const Pair& pair, const char* what, const auto& own, const auto& other) {
-    return SceneDifference{SceneProperty::placing, fmt::format("swimmer {} {} {}", pair.run.id, what, own),
+    return SceneDifference{"placing", fmt::format("swimmer {} {} {}", pair.run.id, what, own),
                            fmt::format("swimmer {} {} {}", pair.run.id, what, other)};
   };
-  const bool same_domain = agree(domain_value(run.domain), domain_value(reference.domain));
+  const bool same_domain =
+      agree(PropertyValue{leaves_of(run.domain)}, PropertyValue{leaves_of(reference.domain)});
   const std::optional<Box> box = same_domain ? run.domain.box : std::nullopt;
   const double largest_distance =
       tolerance * std::max(largest_coordinate(run), largest_coordinate(reference));
@@ -125,130 +204,77 @@ std::optional<SceneDifference> placing_difference(const Layout& run, const Layou
   return std::nullopt;
 }
 
-/// Appends what joins which beads, where they are at rest, and the rest angles.
-void append_shape(const SwimmerType& type, std::vector<double>& numbers) {
-  for (const BeadAtRest& bead : type.beads) numbers.insert(numbers.end(), bead.at.begin(), bead.at.end());
-  for (const Bond& bond : type.bonds) numbers.insert(numbers.end(), bond.beads.begin(), bond.beads.end());
-  for (const Angle& angle : type.angles) {
-    numbers.insert(numbers.end(), angle.beads.begin(), angle.beads.end());
-    numbers.push_back(angle.rest);
-  }
+/// Adds properties that only one scene has to the other one, without value.
+void complete(SceneProperties& run, SceneProperties& reference) {
+  for (const auto& [property, value] : run) reference.try_emplace(property);
+  for (const auto& [property, value] : reference) run.try_emplace(property);
 }
 
-/// Amplitudes and phases of all drives, with what they drive.
-struct DriveValues {
-  PropertyValue amplitude, phase;
-};
-
-DriveValues drive_values(const Driving& driving) {
-  std::vector<double> amplitudes, phases, targets;
-  const auto add = [&](int target, const std::vector<Harmonic>& harmonics) {
-    targets.push_back(target);
-    for (const Harmonic& harmonic : harmonics) {
-      amplitudes.push_back(harmonic.amplitude);
-      phases.push_back(harmonic.phase);
-      targets.push_back(harmonic.multiple);
-    }
-  };
-  for (const ForceDrive& drive : driving.forces) {
-    add(drive.bead, drive.harmonics);
-    targets.insert(targets.end(), drive.direction.begin(), drive.direction.end());
-    if (drive.constant != 0) amplitudes.push_back(drive.constant);
-  }
-  for (const BondDrive& drive : driving.bonds) {
-    add(drive.bond, drive.harmonics);
-    targets.push_back(static_cast<double>(drive.quantity));
-  }
-  for (const AngleDrive& drive : driving.angles) add(drive.angle, drive.harmonics);
-  DriveValues values{.amplitude = numbers_value(amplitudes), .phase = numbers_value(phases)};
-  values.amplitude.numbers.insert(values.amplitude.numbers.end(), targets.begin(), targets.end());
-  return values;
+/// Returns the properties of a swimmer of a layout except its placing.
+SceneProperties swimmer_properties(const Layout& layout, const Swimmer& swimmer) {
+  SceneProperties properties = swimmer_properties(layout.resolved_type(swimmer));
+  properties.merge(properties_of(leaves_of(swimmer)));
+  properties.erase("placing");
+  return properties;
 }
 
 }  // namespace
 
-PropertyValue numbers_value(const std::vector<double>& numbers) {
-  return {numbers, joined(numbers)};
+const std::vector<std::string>& scene_property_names() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names{
+        "period",  "amplitude",         "phase", "frame",  "radius", "bead_density", "arm",      "stiffness",
+        "damping", "angular_stiffness", "fluid", "domain", "flow",   "body_force",   "swimmers", "placing"};
+    const auto add = [&names](const std::string& key, const auto&...) {
+      const std::string name = property_of("/" + key);
+      if (is_common(key) && std::ranges::find(names, name) == names.end()) names.push_back(name);
+    };
+    const Layout layout;
+    const SwimmerType type;
+    const Swimmer swimmer;
+    visit_fields(add, layout);
+    visit_fields(add, type);
+    visit_fields(add, swimmer);
+    return names;
+  }();
+  return all;
 }
 
-PropertyValue domain_value(const Domain& domain) {
-  if (domain.half_space) return {{static_cast<double>(domain.half_space->axis)}, in_words(domain)};
-  if (!domain.box) return {{}, in_words(domain)};
-  const Box& box = *domain.box;
-  PropertyValue value{{box.lengths.begin(), box.lengths.end()},
-                      fmt::format("{} x {} x {}", box.lengths.x(), box.lengths.y(), box.lengths.z())};
-  std::vector<std::string> boundaries;
-  for (const Boundary boundary : box.boundary) {
-    value.numbers.push_back(static_cast<double>(boundary));
-    boundaries.push_back(to_text(boundary));
-  }
-  value.text += fmt::format(", {}", fmt::join(boundaries, ", "));
-  for (int a = 0; a < 3; ++a) {
-    const WallVelocities& walls = box.walls[a];
-    for (const Vec3& velocity : {walls.lower, walls.upper})
-      value.numbers.insert(value.numbers.end(), velocity.begin(), velocity.end());
-    if (walls.are_moving())
-      value.text += fmt::format(", walls across {} with velocities ({}) and ({})", "xyz"[a],
-                                fmt::join(walls.lower, ", "), fmt::join(walls.upper, ", "));
-  }
-  return value;
+SceneProperties properties_of(std::vector<FieldLeaf> leaves) {
+  std::ranges::stable_sort(leaves, {}, [](const FieldLeaf& leaf) { return row_of(leaf.pointer); });
+  SceneProperties properties;
+  for (FieldLeaf& leaf : leaves) properties[property_of(leaf.pointer)].leaves.push_back(std::move(leaf));
+  for (auto& [property, value] : properties) value.text = text_of(value.leaves);
+  return properties;
 }
 
-PropertyValue flow_value(const BackgroundFlow& flow) {
-  std::vector<double> numbers(flow.velocity.begin(), flow.velocity.end());
-  const Eigen::Matrix3d rows = flow.velocity_gradient.transpose();
-  numbers.insert(numbers.end(), rows.data(), rows.data() + rows.size());
-  return numbers_value(numbers);
+SceneProperties common_properties(const Layout& layout) {
+  std::vector<FieldLeaf> leaves;
+  const auto append = [&]<class Field>(const std::string& name, const Field& field, const auto&...) {
+    if constexpr (!std::same_as<Field, Units>)
+      if (is_common(name)) append_leaves(leaves, "/" + name, field);
+  };
+  visit_fields(append, layout);
+  SceneProperties properties = properties_of(std::move(leaves));
+  properties["fluid"].text =
+      fmt::format("density {}, viscosity {}", layout.fluid.density, layout.fluid.kinematic_viscosity);
+  properties["domain"].text = domain_text(layout.domain);
+  std::vector<int> ids;
+  for (const Swimmer& swimmer : layout.swimmers) ids.push_back(swimmer.id);
+  properties["swimmers"] = swimmers_value(ids);
+  return properties;
 }
 
-PropertyValue body_force_value(const Vec3& force) {
-  return numbers_value({force.begin(), force.end()});
+SceneProperties swimmer_properties(const SwimmerType& type) {
+  const auto three = three_bead_form(type);
+  return properties_of(three ? leaves_of(*three) : leaves_of(type));
 }
 
 PropertyValue swimmers_value(std::vector<int> ids) {
   std::ranges::sort(ids);
   std::string text = fmt::format("{} with id {}", ids.size(), ids.front());
   if (ids.size() > 1) text += fmt::format(" to {}", ids.back());
-  return {{ids.begin(), ids.end()}, text};
-}
-
-SceneProperties common_properties(const Layout& layout) {
-  std::vector<int> ids;
-  for (const Swimmer& swimmer : layout.swimmers) ids.push_back(swimmer.id);
-  return {{SceneProperty::fluid, fluid_value(layout.fluid)},
-          {SceneProperty::domain, domain_value(layout.domain)},
-          {SceneProperty::flow, flow_value(layout.flow)},
-          {SceneProperty::body_force, body_force_value(layout.body_force)},
-          {SceneProperty::swimmers, swimmers_value(ids)}};
-}
-
-SceneProperties swimmer_properties(const SwimmerType& type) {
-  const auto numbers = [](const auto& parts, auto number) {
-    std::vector<double> all;
-    for (const auto& part : parts) all.push_back(std::invoke(number, part));
-    return numbers_value(all);
-  };
-  const Driving& driving = type.driving;
-  SceneProperties properties{
-      {SceneProperty::period, numbers_value({driving.period})},
-      {SceneProperty::frame, {{static_cast<double>(driving.frame)}, to_text(driving.frame)}},
-      {SceneProperty::radius, numbers(type.beads, &Bead::radius)},
-      {SceneProperty::bead_density, numbers(type.beads, &Bead::density)},
-      {SceneProperty::arm, numbers(type.bonds, &Spring::rest_length)},
-      {SceneProperty::stiffness, numbers(type.bonds, &Spring::stiffness)},
-      {SceneProperty::damping, numbers(type.bonds, &Spring::damping)},
-      {SceneProperty::angular_stiffness, numbers(type.angles, &Angle::stiffness)},
-  };
-  if (const auto three = three_bead_form(driving)) {
-    properties[SceneProperty::amplitude] = numbers_value({three->amplitude[0], three->amplitude[1]});
-    properties[SceneProperty::phase] = numbers_value({three->phase});
-  } else {
-    const DriveValues drives = drive_values(driving);
-    properties[SceneProperty::amplitude] = drives.amplitude;
-    properties[SceneProperty::phase] = drives.phase;
-  }
-  if (!three_bead_form(type)) append_shape(type, properties[SceneProperty::arm].numbers);
-  return properties;
+  return {leaves_of(ids), text};
 }
 
 void add_differences(std::vector<SceneDifference>& differences, const SceneProperties& run,
@@ -260,19 +286,25 @@ void add_differences(std::vector<SceneDifference>& differences, const ScenePrope
     const std::string note = value.text == other->second.text ? ", of another shape" : "";
     differences.push_back({property, prefix + value.text, prefix + other->second.text + note});
   }
+  std::ranges::stable_sort(differences, {}, [](const SceneDifference& difference) {
+    return std::ranges::find(scene_property_names(), difference.property) - scene_property_names().begin();
+  });
 }
 
 std::vector<SceneDifference> scene_differences(const Layout& run, const Layout& reference) {
   std::vector<SceneDifference> differences;
-  add_differences(differences, common_properties(run), common_properties(reference));
+  const auto add = [&](SceneProperties one, SceneProperties other, const std::string& prefix) {
+    complete(one, other);
+    add_differences(differences, one, other, prefix);
+  };
+  add(common_properties(run), common_properties(reference), "");
   const std::vector<Pair> pairs = common_swimmers(run, reference);
   for (const Pair& pair : pairs) {
-    add_differences(differences, swimmer_properties(run.resolved_type(pair.run)),
-                    swimmer_properties(reference.resolved_type(pair.reference)),
-                    pairs.size() > 1 ? fmt::format("swimmer {}: ", pair.run.id) : "");
+    if (run.resolved_type(pair.run) == reference.resolved_type(pair.reference)) continue;
+    add(swimmer_properties(run, pair.run), swimmer_properties(reference, pair.reference),
+        pairs.size() > 1 ? fmt::format("swimmer {}: ", pair.run.id) : "");
   }
   if (const auto difference = placing_difference(run, reference, pairs)) differences.push_back(*difference);
-  std::ranges::sort(differences, {}, &SceneDifference::property);
   return differences;
 }
 
