@@ -1,4 +1,4 @@
-#include "study.hpp"
+#include "variation_text.hpp"
 #include "accepted.hpp"
 #include "beadswim/documents/layout_document.hpp"
 
@@ -19,8 +19,9 @@ void vary(const Json& input) {
     if (text.is_string()) variations.push_back(parse_variation(text.get<std::string>()));
   if (variations.empty()) return;  // the program requires the flag
   const bool is_together = input.value("together", Json()) == true;
+  if (is_together) require_equal_counts(variations);
   std::size_t left = max_points;
-  for (const StudyPoint& point : study_points(variations, is_together)) {
+  for (const StudyPoint& point : study_points(variations, is_together, "--over")) {
     if (left-- == 0) return;
     const LayoutDocument varied = with_values(layout, point, "layout", "--over");
     for (const auto& [name, value] : point)

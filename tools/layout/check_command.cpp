@@ -1,5 +1,3 @@
-#include "check_command.hpp"
-
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -12,6 +10,7 @@
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/theory/scene_numbers.hpp"
 #include "beadswim/tools/program.hpp"
+#include "commands.hpp"
 #include "layout_filter.hpp"
 
 namespace beadswim {
@@ -113,23 +112,13 @@ void warn_of_collisions(const SceneNumbers& numbers) {
   }
 }
 
-}  // namespace
+struct CheckFlags {
+  std::vector<std::string> files{"-"};
+  bool json = false;
+};
 
-CheckCommand::CheckCommand(CLI::App& program)
-    : command_(program.add_subcommand(
-          "check",
-          "Checks a layout and prints its dimensionless numbers. If the layout is invalid, prints each fault "
-          "with its place in the file (JSON pointer) and ends with exit status 2.")) {
-  add_layout_files(*command_, files_);
-  command_->add_flag("--json", json_, "Print the numbers as JSON instead of a table.");
-  set_footer(*command_,
-             {"beadswim-layout check layout.json",
-              "beadswim-layout swimmer --preset paper-single --unbounded | beadswim-layout check --json"},
-             "formats/layout-check.md");
-}
-
-void CheckCommand::run() const {
-  DocumentStream stream(files_);
+void check(const CheckFlags& flags) {
+  DocumentStream stream(flags.files);
   const bool is_lines = !stream.is_single() || stream.is_lines();
   std::string faults;
   while (const auto member = stream.next()) {
@@ -138,7 +127,7 @@ void CheckCommand::run() const {
       const SceneNumbers numbers = scene_numbers(document.layout);
       warn_of_collisions(numbers);
       warn_of_fixed_forces(document.layout);
-      if (json_) {
+      if (flags.json) {
         const Json json = json_of(document, numbers);
         write_text("-", is_lines ? dump_json_line(json) : dump_json(json));
       } else {
@@ -150,6 +139,23 @@ void CheckCommand::run() const {
     }
   }
   if (!faults.empty()) throw InputError(faults);
+}
+
+}  // namespace
+
+Command add_check_command(CLI::App& program) {
+  const auto flags = std::make_shared<CheckFlags>();
+  CLI::App* const command = program.add_subcommand(
+      "check",
+      "Checks a layout and prints its dimensionless numbers. If the layout is invalid, prints each fault "
+      "with its place in the file (JSON pointer) and ends with exit status 2.");
+  add_layout_files(*command, flags->files);
+  command->add_flag("--json", flags->json, "Print the numbers as JSON instead of a table.");
+  set_footer(*command,
+             {"beadswim-layout check layout.json",
+              "beadswim-layout swimmer --preset paper-single --unbounded | beadswim-layout check --json"},
+             "formats/layout-check.md");
+  return {command, [flags] { check(*flags); }};
 }
 
 }  // namespace beadswim

@@ -1,5 +1,3 @@
-#include "defect_command.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,6 +5,9 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
+#include "beadswim/scene/defects.hpp"
+#include "beadswim/tools/program.hpp"
+#include "commands.hpp"
 #include "layout_filter.hpp"
 #include "sound_layout.hpp"
 
@@ -56,26 +57,66 @@ void mix_in(Layout& layout, const std::vector<std::size_t>& chosen_swimmers, con
   });
 }
 
-}  // namespace
+/// Kinds of defects with their flags.
+class Defects {
+ public:
+  explicit Defects(CLI::App& command);
 
-DefectCommand::DefectCommand(CLI::App& program)
-    : command_(program.add_subcommand("defect",
-                                      "Applies random changes (defects) to a layout. Equal seeds give equal "
-                                      "defects; give each defect of a pipe its own seed.")) {
-  command_->require_subcommand(1);
+  /// Applies the defect of the command line to the layouts.
+  void run(const CLI::App& program) const;
+
+ private:
+  using Change = std::function<void(Layout&)>;
+
+  /// Adds the command for one kind of defect, with the flags that all kinds have in common. `examples`: flags
+  /// of each example in the help of the command.
+  CLI::App& add_kind(const std::string& name, const std::vector<std::string>& examples,
+                     const std::string& help, Change change);
+  /// Adds the flags --fraction and --count. `things`: what the flags count, and `otherwise`: the default,
+  /// both for the help.
+  void add_amount_flags(CLI::App& kind, const std::string& things, const std::string& otherwise);
+  void add_sigma(CLI::App& kind, const std::string& help,
+                 const CLI::Validator& values = number_between(0, 1e6));
+  void add_random(CLI::App& kind, const std::string& help);
+  void add_mixture();
+  void add_numbers();
+  void add_places();
+  void add_drivings();
+  void add_spacing();
+
+  /// Returns the value of --fraction or --count. Throws InputError if neither is given.
+  ShareOrCount share_or_count() const;
+  /// Returns the value of --fraction or --count. Returns the fraction 1 if neither is given.
+  ShareOrCount amount_or_all() const;
+  /// Draws the swimmers to change at random and returns their indices.
+  std::vector<std::size_t> chosen_swimmers(const Layout& layout) const;
+
+  CLI::App& command_;
+  std::vector<std::pair<CLI::App*, Change>> kinds_;
+  std::vector<std::string> files_{"-"};
+  std::string other_, axis_;
+  std::optional<double> fraction_, sigma_;
+  std::optional<std::int64_t> count_;
+  double whole_ = 0;
+  std::int64_t seed_ = 1;
+  bool random_ = false, repair_ = false;
+};
+
+Defects::Defects(CLI::App& command) : command_(command) {
+  command.require_subcommand(1);
   add_numbers();
   add_places();
   add_drivings();
   add_spacing();
   add_mixture();
-  set_footer(*command_,
+  set_footer(command,
              {"beadswim-layout defect jitter swarm.json --sigma 0.5 --seed 1 >jittered.json",
               "beadswim-layout defect vacancy swarm.json --fraction 0.25 | \\\n"
               "beadswim-layout defect phase --random --seed 2 >disturbed.json"},
              "method/defects.md");
 }
 
-void DefectCommand::add_numbers() {
+void Defects::add_numbers() {
   auto& vacancy = add_kind("vacancy", {"--fraction 0.25", "--count 1 --seed 3"},
                            "Removes random swimmers; the remaining swimmers keep their ids.",
                            [this](Layout& layout) { add_vacancies(layout, share_or_count(), seed_); });
@@ -88,7 +129,7 @@ void DefectCommand::add_numbers() {
   add_amount_flags(interstitial, "swimmers to add", needed);
 }
 
-void DefectCommand::add_places() {
+void Defects::add_places() {
   auto& displaced = add_kind(
       "jitter", {"--sigma 0.5", "--sigma 2 --fraction 0.5 --seed 3"}, "Displaces swimmers by random vectors.",
       [this](Layout& layout) { jitter(layout, chosen_swimmers(layout), *sigma_, seed_); });
@@ -115,7 +156,7 @@ void DefectCommand::add_places() {
       ->type_name("N");
 }
 
-void DefectCommand::add_drivings() {
+void Defects::add_drivings() {
   auto& phases =
       add_kind("phase", {"--sigma 0.3", "--random --seed 3"},
                "Adds a random shift to the driving phase of swimmers (key phase_offset).",
@@ -139,9 +180,9 @@ void DefectCommand::add_drivings() {
   add_amount_flags(frequencies, "swimmers to change", "all");
 }
 
-CLI::App& DefectCommand::add_kind(const std::string& name, const std::vector<std::string>& examples,
-                                  const std::string& help, Change change) {
-  CLI::App* const kind = command_->add_subcommand(name, help);
+CLI::App& Defects::add_kind(const std::string& name, const std::vector<std::string>& examples,
+                            const std::string& help, Change change) {
+  CLI::App* const kind = command_.add_subcommand(name, help);
   begin_group(*kind, "Options");
   add_layout_files(*kind, files_);
   kind->add_option("--seed", seed_,
@@ -160,8 +201,7 @@ CLI::App& DefectCommand::add_kind(const std::string& name, const std::vector<std
   return *kind;
 }
 
-void DefectCommand::add_amount_flags(CLI::App& kind, const std::string& things,
-                                     const std::string& otherwise) {
+void Defects::add_amount_flags(CLI::App& kind, const std::string& things, const std::string& otherwise) {
   auto* const fraction =
       kind.add_option(
               "--fraction", fraction_,
@@ -176,16 +216,16 @@ void DefectCommand::add_amount_flags(CLI::App& kind, const std::string& things,
       ->excludes(fraction);
 }
 
-void DefectCommand::add_sigma(CLI::App& kind, const std::string& help, const CLI::Validator& values) {
+void Defects::add_sigma(CLI::App& kind, const std::string& help, const CLI::Validator& values) {
   const auto store = [this](const std::string& text) { sigma_ = parse_angle(text); };
   kind.add_option_function<std::string>("--sigma", store, help)->type_name("S")->check(values);
 }
 
-void DefectCommand::add_random(CLI::App& kind, const std::string& help) {
+void Defects::add_random(CLI::App& kind, const std::string& help) {
   kind.add_flag("--random", random_, help)->excludes(kind.get_option("--sigma"));
 }
 
-void DefectCommand::add_spacing() {
+void Defects::add_spacing() {
   auto& layers =
       add_kind("spacing", {"--axis y --sigma 1", "--axis x --sigma 4 --whole 1 --seed 3"},
                "Changes the gaps between layers of swimmers at random, and the length of the box by the sum "
@@ -209,7 +249,7 @@ void DefectCommand::add_spacing() {
   add_amount_flags(layers, "gaps to change", "all");
 }
 
-void DefectCommand::add_mixture() {
+void Defects::add_mixture() {
   auto& mixture = add_kind(
       "mixture", {"--with layout.json --count 2", "--with layout.json --fraction 0.5 --seed 3"},
       "Replaces the type (beads, springs, driving) of random swimmers; they keep their position and axis.",
@@ -222,22 +262,22 @@ void DefectCommand::add_mixture() {
   add_amount_flags(mixture, "swimmers to change", needed);
 }
 
-ShareOrCount DefectCommand::share_or_count() const {
+ShareOrCount Defects::share_or_count() const {
   if (count_) return *count_;
   if (!fraction_)
     throw InputError("command line", "the flag --fraction or --count is missing; give one of them");
   return *fraction_;
 }
 
-ShareOrCount DefectCommand::amount_or_all() const {
+ShareOrCount Defects::amount_or_all() const {
   return fraction_ || count_ ? share_or_count() : ShareOrCount{1.0};
 }
 
-std::vector<std::size_t> DefectCommand::chosen_swimmers(const Layout& layout) const {
+std::vector<std::size_t> Defects::chosen_swimmers(const Layout& layout) const {
   return draw_swimmer_indices(layout, amount_or_all(), seed_);
 }
 
-void DefectCommand::run(const CLI::App& program) const {
+void Defects::run(const CLI::App& program) const {
   for (const auto& [kind, change] : kinds_) {
     if (!kind->parsed()) continue;
     if (kind->get_option_no_throw("--sigma") && !random_ && !sigma_) {
@@ -256,6 +296,17 @@ void DefectCommand::run(const CLI::App& program) const {
                    warn_of_fixed_forces(document.layout);
                    emit(document);
                  });
+}
+
+}  // namespace
+
+Command add_defect_command(CLI::App& program) {
+  CLI::App* const command =
+      program.add_subcommand("defect",
+                             "Applies random changes (defects) to a layout. Equal seeds give equal "
+                             "defects; give each defect of a pipe its own seed.");
+  const auto defects = std::make_shared<Defects>(*command);
+  return {command, [defects, &program] { defects->run(program); }};
 }
 
 }  // namespace beadswim

@@ -1,48 +1,25 @@
-#include "reduce_command.hpp"
-
 #include <fmt/core.h>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/reduce.hpp"
 #include "beadswim/tools/program.hpp"
+#include "commands.hpp"
 #include "layout_filter.hpp"
 #include "sound_layout.hpp"
 #include "swimmer_flags.hpp"
 
 namespace beadswim {
-ReduceCommand::ReduceCommand(CLI::App& program)
-    : command_(
-          program.add_subcommand("reduce",
-                                 "Writes the smallest periodic box whose copies give the scene of the "
-                                 "layout, such as one block of a swarm, or puts a single swimmer in another "
-                                 "box.")) {
-  add_layout_files(*command_, files_);
-  CLI::Option* tolerance =
-      command_
-          ->add_option(
-              "--tolerance", tolerance_,
-              "Largest accepted distance of a swimmer from its position in the repeated box, 0 to 0.5 "
-              "[smallest bead radius]")
-          ->type_name("E")
-          ->check(number_between(0, 0.5))
-          ->capture_default_str();
-  command_
-      ->add_option("--box", box_,
-                   "Edge lengths of a periodic box that replaces the box of a single swimmer, which is moved "
-                   "to its centre [length]")
-      ->type_name("X,Y,Z")
-      ->check(number_list({3}, finite_positive()))
-      ->default_str("none")
-      ->excludes(tolerance);
-  set_footer(*command_,
-             {"beadswim-layout swarm --preset paper-uniform | beadswim-layout reduce >cell.json",
-              "beadswim-layout reduce swarm.json --tolerance 0.1 >cell.json"},
-             "swarms.md");
-}
+namespace {
 
-void ReduceCommand::reduce_to_cell(Layout& layout) const {
-  ReducedCell reduced = reduce(layout, tolerance_ * smallest_radius(layout));
+struct ReduceFlags {
+  std::vector<std::string> files{"-"};
+  std::string box;
+  double tolerance = 1e-6;
+};
+
+void reduce_to_cell(Layout& layout, double tolerance) {
+  ReducedCell reduced = reduce(layout, tolerance * smallest_radius(layout));
   const std::size_t before = layout.swimmers.size(), after = reduced.layout.swimmers.size();
   const Vec3& box = reduced.layout.domain.box->lengths;
   print_to_stderr(fmt::format(
@@ -54,7 +31,7 @@ void ReduceCommand::reduce_to_cell(Layout& layout) const {
   layout = std::move(reduced.layout);
 }
 
-void ReduceCommand::put_in_box(Layout& layout) const {
+void put_in_box(Layout& layout, const std::string& lengths) {
   if (layout.swimmers.size() != 1)
     throw InputError("--box",
                      fmt::format("the layout has {} swimmers, but only a single swimmer can be put in "
@@ -71,18 +48,52 @@ void ReduceCommand::put_in_box(Layout& layout) const {
         "the fluid of this layout ends at the wall of a half-space, but the other box is periodic "
         "and has no walls; leave the flag out");
   Swimmer& swimmer = layout.swimmers.front();
-  layout.domain.box = Box{.lengths = parse_vector(box_)};
+  layout.domain.box = Box{.lengths = parse_vector(lengths)};
   swimmer.position =
       centred_position(layout.resolved_type(swimmer), swimmer.orientation(), layout.domain.box);
   require_sound(layout, "the flags");
 }
 
-void ReduceCommand::run(const CLI::App& program) const {
-  filter_layouts(files_, program, FilterOutput::like_input,
+void reduce_layouts(const ReduceFlags& flags, const CLI::App& program) {
+  filter_layouts(flags.files, program, FilterOutput::like_input,
                  [&](const StreamMember&, LayoutDocument document, const auto& emit) {
-                   box_.empty() ? reduce_to_cell(document.layout) : put_in_box(document.layout);
+                   flags.box.empty() ? reduce_to_cell(document.layout, flags.tolerance)
+                                     : put_in_box(document.layout, flags.box);
                    emit(document);
                  });
+}
+
+}  // namespace
+
+Command add_reduce_command(CLI::App& program) {
+  const auto flags = std::make_shared<ReduceFlags>();
+  CLI::App* const command = program.add_subcommand(
+      "reduce",
+      "Writes the smallest periodic box whose copies give the scene of the layout, such as one block of a "
+      "swarm, or puts a single swimmer in another box.");
+  add_layout_files(*command, flags->files);
+  CLI::Option* tolerance =
+      command
+          ->add_option(
+              "--tolerance", flags->tolerance,
+              "Largest accepted distance of a swimmer from its position in the repeated box, 0 to 0.5 "
+              "[smallest bead radius]")
+          ->type_name("E")
+          ->check(number_between(0, 0.5))
+          ->capture_default_str();
+  command
+      ->add_option("--box", flags->box,
+                   "Edge lengths of a periodic box that replaces the box of a single swimmer, which is moved "
+                   "to its centre [length]")
+      ->type_name("X,Y,Z")
+      ->check(number_list({3}, finite_positive()))
+      ->default_str("none")
+      ->excludes(tolerance);
+  set_footer(*command,
+             {"beadswim-layout swarm --preset paper-uniform | beadswim-layout reduce >cell.json",
+              "beadswim-layout reduce swarm.json --tolerance 0.1 >cell.json"},
+             "swarms.md");
+  return {command, [flags, &program] { reduce_layouts(*flags, program); }};
 }
 
 }  // namespace beadswim

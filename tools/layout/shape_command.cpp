@@ -1,5 +1,3 @@
-#include "shape_command.hpp"
-
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -7,10 +5,12 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
-#include "beadswim/scene/presets.hpp"
+#include "beadswim/scene/gallery.hpp"
 #include "beadswim/tools/named_flags.hpp"
 #include "beadswim/tools/program.hpp"
+#include "commands.hpp"
 #include "sound_layout.hpp"
+#include "swimmer_flags.hpp"
 
 namespace beadswim {
 namespace {
@@ -213,20 +213,32 @@ void require_own_numbers(const CLI::App& kind, const Units& units) {
                              fmt::join(missing, ", "), units.length.name, units.time.name, units.mass.name));
 }
 
-}  // namespace
+/// One kind of swimmer. `type` makes its type in a fluid.
+struct Kind {
+  CLI::App* command = nullptr;
+  std::function<SwimmerType(const Fluid&)> type;
+  QuantityFlags fluid{};
+  std::optional<PlaceFlags> place{};
+  bool json_lines = false;
+};
 
+using Kinds = std::vector<std::unique_ptr<Kind>>;  // flags refer to the members of a kind
+
+/// Adds the kind of swimmer with these parameters. `examples`: flags of each example in the help.
 template <class Parameters>
-void ShapeCommand::add_kind(const std::string& name, const std::string& help,
-                            const std::vector<std::string>& examples) {
-  Kind& kind = *kinds_.emplace_back(std::make_unique<Kind>());
-  kind.command = command_->add_subcommand(name, help);
+void add_kind(CLI::App& shape, Kinds& kinds, const std::string& name, const std::string& help,
+              const std::vector<std::string>& examples) {
+  Kind& kind = *kinds.emplace_back(std::make_unique<Kind>());
+  kind.command = shape.add_subcommand(name, help);
   CLI::App& command = *kind.command;
   const auto parameters = std::make_shared<Parameters>();
   add_flags(command, *parameters);
   add_common_flags(command, *parameters);
   if constexpr (std::derived_from<Parameters, BondedSwimmer>) add_bond_flags(command, *parameters);
   kind.type = [parameters](const Fluid& fluid) { return swimmer_type(*parameters, fluid); };
-  kind.fluid.add_to(command, "1/3");
+  kind.fluid.add(command, *find_quantity("viscosity"), "1/3");
+  kind.fluid.add(command, *find_quantity("density"), "1");
+  kind.fluid.add_units(command);
   kind.place.emplace(command, "the origin of the type's frame", "of the x axis of the type", "periodic");
   kind.place->add_orientation(command);
   begin_group(command, "Output");
@@ -237,37 +249,8 @@ void ShapeCommand::add_kind(const std::string& name, const std::string& help,
   set_footer(command, commands, "shapes.md#" + name);
 }
 
-ShapeCommand::ShapeCommand(CLI::App& program)
-    : command_(program.add_subcommand(
-          "shape",
-          "Writes a layout of one swimmer of a kind from the literature. All "
-          "flags have defaults; without --box and --half-space, the fluid is unbounded.")) {
-  command_->require_subcommand(1);
-  add_kind<Dumbbell>("dumbbell",
-                     "Two beads whose distance oscillates; alone, it does not swim without inertia.",
-                     {"--radius 4,2 --unbounded", "--box 60,40,40"});
-  add_kind<Triangle>("triangle",
-                     "Three beads at the corners of a triangle whose sides oscillate in turn; it rotates.",
-                     {"--unbounded", "--phase 90deg --amplitude 4,4,0"});
-  add_kind<PrescribedThreeBead>("prescribed-three-bead",
-                                "Three beads in a line whose arms have prescribed lengths.",
-                                {"--unbounded", "--arm 20,16 --phase 1"});
-  add_kind<PurcellChain>("purcell-chain", "Three links of beads with two hinges that oscillate, as a Z.",
-                         {"--unbounded", "--beads-per-link 3 --rest-angle 70deg"});
-  add_kind<Flagellum>("flagellum", "Elastic chain of beads, swung at its end.",
-                      {"--unbounded", "--beads 24 --sperm-number 5"});
-  add_kind<TowedSphere>("sphere", "One bead that a constant or oscillating force pulls.",
-                        {"--unbounded", "--force 0 --amplitude 0.05 --box 40,40,40 --boundary no-slip"});
-  add_kind<TowedChain>("chain", "Elastic chain of beads that equal forces pull, as a fibre that settles.",
-                       {"--unbounded", "--beads 20 --direction 1,0,-1"});
-  set_footer(*command_,
-             {"beadswim-layout shape triangle >triangle.json",
-              "beadswim-layout shape flagellum --beads 12 | beadswim-layout check"},
-             "shapes.md");
-}
-
-void ShapeCommand::run(const CLI::App& program) const {
-  for (const auto& kind : kinds_) {
+void write_shapes(const Kinds& kinds, const CLI::App& program) {
+  for (const auto& kind : kinds) {
     if (!kind->command->parsed()) continue;
     LayoutDocument document{.layout = {}, .provenance = {provenance_record(program)}};
     Layout& layout = document.layout;
@@ -281,6 +264,41 @@ void ShapeCommand::run(const CLI::App& program) const {
     const Json json = layout_to_json(document);
     write_text("-", kind->json_lines ? dump_json_line(json) : dump_json(json));
   }
+}
+
+}  // namespace
+
+Command add_shape_command(CLI::App& program) {
+  CLI::App& shape = *program.add_subcommand(
+      "shape",
+      "Writes a layout of one swimmer of a kind from the literature. All flags have defaults; without --box "
+      "and --half-space, the fluid is unbounded.");
+  shape.require_subcommand(1);
+  const auto kinds = std::make_shared<Kinds>();
+  add_kind<Dumbbell>(shape, *kinds, "dumbbell",
+                     "Two beads whose distance oscillates; alone, it does not swim without inertia.",
+                     {"--radius 4,2 --unbounded", "--box 60,40,40"});
+  add_kind<Triangle>(shape, *kinds, "triangle",
+                     "Three beads at the corners of a triangle whose sides oscillate in turn; it rotates.",
+                     {"--unbounded", "--phase 90deg --amplitude 4,4,0"});
+  add_kind<PrescribedThreeBead>(shape, *kinds, "prescribed-three-bead",
+                                "Three beads in a line whose arms have prescribed lengths.",
+                                {"--unbounded", "--arm 20,16 --phase 1"});
+  add_kind<PurcellChain>(shape, *kinds, "purcell-chain",
+                         "Three links of beads with two hinges that oscillate, as a Z.",
+                         {"--unbounded", "--beads-per-link 3 --rest-angle 70deg"});
+  add_kind<Flagellum>(shape, *kinds, "flagellum", "Elastic chain of beads, swung at its end.",
+                      {"--unbounded", "--beads 24 --sperm-number 5"});
+  add_kind<TowedSphere>(shape, *kinds, "sphere", "One bead that a constant or oscillating force pulls.",
+                        {"--unbounded", "--force 0 --amplitude 0.05 --box 40,40,40 --boundary no-slip"});
+  add_kind<TowedChain>(shape, *kinds, "chain",
+                       "Elastic chain of beads that equal forces pull, as a fibre that settles.",
+                       {"--unbounded", "--beads 20 --direction 1,0,-1"});
+  set_footer(shape,
+             {"beadswim-layout shape triangle >triangle.json",
+              "beadswim-layout shape flagellum --beads 12 | beadswim-layout check"},
+             "shapes.md");
+  return {&shape, [kinds, &program] { write_shapes(*kinds, program); }};
 }
 
 }  // namespace beadswim

@@ -9,85 +9,38 @@ namespace beadswim {
 SwimmerFlags::SwimmerFlags(CLI::App& command, std::vector<Preset> presets, const std::string& preset_help)
     : presets_(std::move(presets)) {
   command.add_option("--preset", preset_, preset_help)->type_name("NAME")->default_str("none");
-  add_swimmer(command);
-  add_driving(command);
-  fluid_.add_to(command);
-}
-
-void SwimmerFlags::add_swimmer(CLI::App& command) {
-  const auto positive = [](std::vector<std::size_t> counts) {
-    return number_list(counts, finite_positive());
-  };
   add_absent_flag(command, "--beads,--bead-count,--num-beads,--number-of-beads",
                   "no such flag: a swimmer has three beads and two arms; --radius, --bead-density and --arm "
                   "describe them");
-  begin_group(command, "Beads");
-  command.add_option("--radius", radius_, "Radius of the beads: one value for all, or one per bead [length]")
-      ->type_name("R|R1,R2,R3")
-      ->check(positive({1, 3}));
-  begin_group(command, "Springs");
-  command
-      .add_option("--arm", arm_, "Rest length of the springs, between the centres of adjacent beads [length]")
-      ->type_name("L|L1,L2")
-      ->check(positive({1, 2}));
-  command
-      .add_option("--stiffness", stiffness_, "Stiffness k of the springs, force per extension [mass/time^2]")
-      ->type_name("K|K1,K2")
-      ->check(positive({1, 2}));
-  command
-      .add_option(
-          "--damping", damping_,
-          "Damping c of the dashpots parallel to the springs, force per rate of extension [mass/time]")
-      ->type_name("C|C1,C2")
-      ->check(number_list({1, 2}, finite_non_negative()))
-      ->default_str("the preset's, else 0");
-  command
-      .add_option("--angular-stiffness", angular_stiffness_,
-                  "Stiffness K_A of the angular spring with energy K_A theta^2/2; theta: angle between the "
-                  "arms [mass length^2/time^2]")
-      ->type_name("KA")
-      ->check(finite_non_negative())
-      ->default_str("10 k l^2");
-  begin_group(command, "Beads");
-  command.add_option("--bead-density", bead_density_, "Mass density of the beads [mass/length^3]")
-      ->type_name("RHO")
-      ->check(finite_positive())
-      ->default_str("the preset's, else the fluid's");
+  for (const NamedQuantity& quantity : named_quantities())
+    quantities_.add(command, quantity, quantity.initial);
+  quantities_.add_units(command);
 }
 
-void SwimmerFlags::add_driving(CLI::App& command) {
-  begin_group(command, "Driving: F1 = A sin(2 pi t/T), F3 = B sin(2 pi t/T + alpha), F2 = -(F1 + F3)");
-  command
-      .add_option("--amplitude", amplitude_,
-                  "Amplitudes A and B of the driving forces on beads 1 and 3 [mass length/time^2]")
-      ->type_name("A|A,B")
-      ->check(number_list({1, 2}, finite_non_negative()));
-  command
-      .add_option("--phase", phase_,
-                  "Phase alpha by which the force on bead 3 is ahead of that on bead 1, as 1.5 or 90deg; "
-                  "negative: --phase=-0.5 [rad]")
-      ->type_name("ALPHA")
-      ->check(angle())
-      ->default_str("the preset's, else pi/2");
-  command.add_option("--period", period_, "Period T of the driving forces [time]")
-      ->type_name("T")
-      ->check(finite_positive());
-  add_choice(command, "--frame", frame_,
-             "Direction of the driving forces: the x axis (lab), the swimmer's axis at time 0 "
-             "(initial-axis), or its arms as they turn (body)")
-      ->default_str("lab");
+void QuantityFlags::add(CLI::App& command, const NamedQuantity& quantity, const std::string& initial) {
+  begin_group(command, quantity.group);
+  const std::string flag = "--" + quantity.name;
+  if (quantity.range == QuantityRange::frame) {
+    add_word(command, flag, all_names<DrivingFrame>(), initial, quantity.help,
+             [this, &quantity](const std::string& word) { values_[quantity.name] = word; });
+    return;
+  }
+  const bool is_angle = quantity.range == QuantityRange::angle;
+  const CLI::Validator each = is_angle                                    ? angle()
+                              : quantity.range == QuantityRange::positive ? finite_positive()
+                                                                          : finite_non_negative();
+  const auto take = [this, &quantity, is_angle](const std::string& text) {
+    if (is_angle) warn_of_turns(text);
+    values_[quantity.name] = is_angle ? Json(parse_angle(text)) : Json(parse_numbers(text));
+  };
+  command.add_option_function<std::string>(flag, take, quantity.help)
+      ->type_name(quantity.symbols)
+      ->check(quantity.count == 1 ? each : number_list({1, quantity.count}, each))
+      ->default_str(initial);
 }
 
-void FluidFlags::add_to(CLI::App& command, const std::string& default_viscosity) {
+void QuantityFlags::add_units(CLI::App& command) {
   begin_group(command, "Fluid and box");
-  command.add_option("--viscosity", viscosity_, "Kinematic viscosity nu of the fluid [length^2/time]")
-      ->type_name("NU")
-      ->check(finite_positive())
-      ->default_str(default_viscosity);
-  command.add_option("--density", density_, "Mass density of the fluid [mass/length^3]")
-      ->type_name("RHO")
-      ->check(finite_positive())
-      ->default_str("1");
   command
       .add_option("--units", units_,
                   "Units of the layout: lattice, or units of length (m to nm), time (s to ns) and mass (kg "

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "beadswim/scene/layout.hpp"
-#include "beadswim/swimmers/three_bead_swimmer.hpp"
+#include "beadswim/study/named_quantity.hpp"
 
 namespace beadswim {
 
@@ -20,28 +19,33 @@ struct Preset {
   Layout (*layout)() = nullptr;
 };
 
-/// Flags that describe a fluid and the units of the layout.
-class FluidFlags {
+/// Flags of named quantities (study/named_quantity.hpp), and of the units of the layout.
+class QuantityFlags {
  public:
-  /// Adds the flags to the command. `default_viscosity`: for the help; empty if there is none.
-  void add_to(CLI::App& command, const std::string& default_viscosity = "");
+  /// Adds the flag of a quantity to the command. `initial`: describes the default, for the help; empty if the
+  /// quantity has none.
+  void add(CLI::App& command, const NamedQuantity& quantity, const std::string& initial);
+  void add_units(CLI::App& command);
 
-  const std::string& viscosity() const { return viscosity_; }  ///< empty if the flag is not given
-  const std::string& density() const { return density_; }      ///< empty if the flag is not given
+  const QuantityValues& values() const { return values_; }  ///< contains only the flags that are given
   void apply(Fluid& fluid) const;
   Units units() const;
 
  private:
-  std::string viscosity_, density_, units_;
+  QuantityValues values_;
+  std::string units_;
 };
+
+/// Prints a warning if a phase in radian is more than one turn, and was probably meant in degrees. `phase`:
+/// value of the flag.
+void warn_of_turns(const std::string& phase);
 
 /// Sizes of the units of length, time and mass of a preset, in the units of the flag --units.
 struct UnitSizes {
   double length = 1, time = 1, mass = 1;
 };
 
-/// Flags that describe a swimmer type and its fluid. The value of each flag is stored as text, which is empty
-/// if the flag is not given.
+/// Flags that describe a swimmer type and its fluid.
 class SwimmerFlags {
  public:
   /// Adds the flags to the command. `preset_help`: description of the presets, for the help.
@@ -52,34 +56,18 @@ class SwimmerFlags {
   /// required flags are missing; the message lists these flags and `other_missing_flags`.
   Layout layout(const std::vector<std::string>& other_missing_flags) const;
 
-  /// Returns the names of the flags that set one value, without --.
-  static const std::vector<std::string>& single_values();
-  /// Replaces the values for which flags are given in all types and in the fluid of a layout. The angular
-  /// stiffness of a type and the resolution follow if they have their defaults. Throws InputError if a type
-  /// is not a swimmer of three beads on a line; `source`: name of the layout for the message.
-  void apply(Layout& layout, const std::string& source) const;
-
   const std::string& preset() const { return preset_; }  ///< name of the preset; empty if none is given
   /// Returns the sizes of the units of the preset. They follow from the bead radius, the viscosity and the
   /// density of the flags. Throws InputError if one of these is missing.
   UnitSizes preset_units() const;
 
  private:
-  void add_swimmer(CLI::App& command);
-  void add_driving(CLI::App& command);
-
   void require_complete(const std::vector<std::string>& other_missing_flags) const;
   Layout preset_layout() const;
-  void apply_beads(ThreeBeadSwimmer& type, double default_density) const;
-  void apply_springs(ThreeBeadSwimmer& type) const;
-  void apply_driving(ThreeBeadDriving& driving) const;
 
   std::vector<Preset> presets_;
   std::string preset_;
-  std::string radius_, arm_, stiffness_, damping_, angular_stiffness_, bead_density_;
-  std::string amplitude_, phase_, period_;
-  std::optional<DrivingFrame> frame_;
-  FluidFlags fluid_;
+  QuantityFlags quantities_;
 };
 
 /// Flags for the box, the position and the orientation of one swimmer.

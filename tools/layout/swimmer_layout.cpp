@@ -2,10 +2,8 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <cmath>
-#include <cstdio>
 
-#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
@@ -61,14 +59,19 @@ Vec3 parse_vector(const std::string& text) {
   return Vec3(numbers[0], numbers[1], numbers[2]);
 }
 
+void warn_of_turns(const std::string& phase) {
+  if (std::abs(parse_angle(phase)) <= 2 * std::numbers::pi || phase.ends_with("deg")) return;
+  print_to_stderr(
+      fmt::format("beadswim-layout: warning: --phase: {} rad is more than one turn; if the value is in "
+                  "degrees, write --phase={}deg\n",
+                  phase, phase));
+}
+
 void SwimmerFlags::require_complete(const std::vector<std::string>& other_missing_flags) const {
-  const std::vector<std::pair<const char*, const std::string*>> needed{
-      {"--radius", &radius_},       {"--arm", &arm_},       {"--stiffness", &stiffness_},
-      {"--amplitude", &amplitude_}, {"--period", &period_}, {"--viscosity", &fluid_.viscosity()}};
   std::vector<std::string> missing;
-  for (const auto& [flag, text] : needed) {
-    if (text->empty()) missing.push_back(flag);
-  }
+  for (const NamedQuantity& quantity : named_quantities())
+    if (quantity.initial.empty() && !quantities_.values().contains(quantity.name))
+      missing.push_back("--" + quantity.name);
   missing.insert(missing.end(), other_missing_flags.begin(), other_missing_flags.end());
   if (missing.empty()) return;
   throw InputError("command line",
@@ -86,53 +89,13 @@ Layout SwimmerFlags::preset_layout() const {
                                    "; some presets belong to the other command, swimmer or swarm");
 }
 
-void SwimmerFlags::apply_beads(ThreeBeadSwimmer& type, double default_density) const {
-  if (!radius_.empty()) {
-    const auto radii = parse_entries(radius_, 3);
-    for (int i = 0; i < 3; ++i) type.beads[i].radius = radii[i];
-  }
-  for (Bead& bead : type.beads) {
-    if (!bead_density_.empty()) bead.density = parse_numbers(bead_density_)[0];
-    if (bead.density == 0) bead.density = default_density;
-  }
+void QuantityFlags::apply(Fluid& fluid) const {
+  SwimmerParameters parameters{.fluid = fluid};
+  set_quantities(parameters, values_);
+  fluid = parameters.fluid;
 }
 
-void SwimmerFlags::apply_springs(ThreeBeadSwimmer& type) const {
-  const auto apply = [&type](const std::string& text, double Spring::*member) {
-    if (text.empty()) return;
-    const auto values = parse_entries(text, 2);
-    for (int i = 0; i < 2; ++i) type.springs[i].*member = values[i];
-  };
-  apply(arm_, &Spring::rest_length);
-  apply(stiffness_, &Spring::stiffness);
-  apply(damping_, &Spring::damping);
-  type.angular_stiffness =
-      angular_stiffness_.empty() ? straightening_stiffness(type) : parse_numbers(angular_stiffness_)[0];
-}
-
-void SwimmerFlags::apply_driving(ThreeBeadDriving& driving) const {
-  if (!amplitude_.empty()) {
-    const auto amplitudes = parse_entries(amplitude_, 2);
-    driving.amplitude = {amplitudes[0], amplitudes[1]};
-  }
-  if (!phase_.empty()) driving.phase = parse_angle(phase_);
-  if (std::abs(driving.phase) > 2 * std::numbers::pi && !phase_.ends_with("deg")) {
-    fmt::print(
-        stderr,
-        "beadswim-layout: warning: --phase: {} rad is more than one turn; if the value is in degrees, write "
-        "--phase={}deg\n",
-        phase_, phase_);
-  }
-  if (!period_.empty()) driving.period = parse_numbers(period_)[0];
-  if (frame_) driving.frame = *frame_;
-}
-
-void FluidFlags::apply(Fluid& fluid) const {
-  if (!viscosity_.empty()) fluid.kinematic_viscosity = parse_numbers(viscosity_)[0];
-  if (!density_.empty()) fluid.density = parse_numbers(density_)[0];
-}
-
-Units FluidFlags::units() const {
+Units QuantityFlags::units() const {
   if (units_.empty() || units_ == "lattice") return {};
   const std::vector<std::string> names = split_at_commas(units_);
   if (names.size() != 3) {
@@ -147,10 +110,12 @@ Units FluidFlags::units() const {
 }
 
 UnitSizes SwimmerFlags::preset_units() const {
-  const Units units = fluid_.units();
+  const Units units = quantities_.units();
   if (units.lattice) return {};
-  const std::vector<double> radii = radius_.empty() ? std::vector<double>{} : parse_numbers(radius_);
-  if (radii.size() != 1 || fluid_.viscosity().empty() || fluid_.density().empty())
+  const QuantityValues& values = quantities_.values();
+  const auto radii = values.find("radius");
+  if (radii == values.end() || radii->second.size() != 1 || !values.contains("viscosity") ||
+      !values.contains("density"))
     throw InputError(
         "--units",
         fmt::format("the preset is in lattice units, and its numbers are converted; give one --radius, "
@@ -159,8 +124,8 @@ UnitSizes SwimmerFlags::preset_units() const {
                     units.length.name, units.time.name, units.mass.name));
   const Layout preset = preset_layout();
   Fluid fluid = preset.fluid;
-  fluid_.apply(fluid);
-  const double length = radii[0] / smallest_radius(preset.types.at("a"));
+  quantities_.apply(fluid);
+  const double length = radii->second[0].get<double>() / smallest_radius(preset.types.at("a"));
   return {.length = length,
           .time = preset.fluid.kinematic_viscosity / fluid.kinematic_viscosity * length * length,
           .mass = fluid.density / preset.fluid.density * std::pow(length, 3)};
@@ -169,50 +134,21 @@ UnitSizes SwimmerFlags::preset_units() const {
 Layout SwimmerFlags::layout(const std::vector<std::string>& other_missing_flags) const {
   if (preset_.empty()) require_complete(other_missing_flags);
   Layout layout = preset_.empty() ? Layout{} : preset_layout();
-  layout.units = fluid_.units();
+  layout.units = quantities_.units();
   if (!preset_.empty() && !layout.units.lattice) convert(layout, preset_units());
-  fluid_.apply(layout.fluid);
-  ThreeBeadSwimmer swimmer = preset_.empty() ? ThreeBeadSwimmer{.driving = {.phase = std::numbers::pi / 2}}
-                                             : three_beads(layout.types["a"]);
-  apply_beads(swimmer, layout.fluid.density);
-  apply_springs(swimmer);
-  apply_driving(swimmer.driving);
+  SwimmerParameters parameters{.swimmer = {.driving = {.phase = std::numbers::pi / 2}},
+                               .fluid = layout.fluid};
+  if (!preset_.empty()) parameters.swimmer = three_beads(layout.types["a"]);
+  set_quantities(parameters, quantities_.values());
+  ThreeBeadSwimmer& swimmer = parameters.swimmer;
+  for (Bead& bead : swimmer.beads)
+    if (bead.density == 0) bead.density = parameters.fluid.density;
+  if (!quantities_.values().contains("angular-stiffness"))
+    swimmer.angular_stiffness = straightening_stiffness(swimmer);
+  layout.fluid = parameters.fluid;
   const SwimmerType& type = layout.types["a"] = swimmer_type(swimmer);
   if (layout.resolution && layout.units.lattice) layout.resolution = unit_resolution(type, layout.fluid);
   return layout;
-}
-
-const std::vector<std::string>& SwimmerFlags::single_values() {
-  static const std::vector<std::string> names{
-      "radius",    "arm",   "stiffness", "damping", "angular-stiffness", "bead-density",
-      "amplitude", "phase", "period",    "frame",   "viscosity",         "density"};
-  return names;
-}
-
-void SwimmerFlags::apply(Layout& layout, const std::string& source) const {
-  const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-12 * std::abs(b); };
-  const SwimmerType& first = layout.types.begin()->second;
-  const Resolution unit = unit_resolution(first, layout.fluid);
-  const bool has_unit_resolution = layout.resolution &&
-                                   equal(layout.resolution->cells_per_radius, unit.cells_per_radius) &&
-                                   equal(layout.resolution->relaxation_time, unit.relaxation_time);
-  fluid_.apply(layout.fluid);
-  for (auto& [name, type] : layout.types) {
-    std::optional<ThreeBeadSwimmer> swimmer = three_bead_form(type);
-    if (!swimmer)
-      throw InputError(
-          fmt::format("{}:/types/{}", source, name),
-          "this is not a swimmer of three beads on a line, which flags of beadswim-layout swimmer "
-          "describe; name what varies by a JSON pointer, such as /types/a/beads/0/radius");
-    const double angular = swimmer->angular_stiffness;
-    const bool is_default = equal(angular, straightening_stiffness(*swimmer));
-    apply_beads(*swimmer, layout.fluid.density);
-    apply_springs(*swimmer);
-    if (angular_stiffness_.empty() && !is_default) swimmer->angular_stiffness = angular;
-    apply_driving(swimmer->driving);
-    type = swimmer_type(*swimmer);
-  }
-  if (has_unit_resolution) layout.resolution = unit_resolution(first, layout.fluid);
 }
 
 void PlaceFlags::apply_domain(Domain& domain) const {

@@ -12,7 +12,6 @@
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/tools/named_flags.hpp"
 #include "beadswim/tools/stop_signal.hpp"
-#include "layout_filter.hpp"
 #include "optimisation.hpp"
 
 // beadswim-optimise searches for the values of a few quantities of a layout with which a swimmer swims
@@ -59,7 +58,9 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
                    "Searches for the values of a few quantities of a layout with which its swimmer swims "
                    "fastest, most efficiently or with least power. Writes the layout with these "
                    "values.");
-  add_layout_files(*program, flags.files);
+  program->add_option("layout", flags.files, "Layout files (JSON, JSON Lines); - is standard input.")
+      ->type_name("FILE")
+      ->default_str("-");
   program
       ->add_option("--free", flags.free,
                    "A quantity that may change (a flag of beadswim-layout swimmer without --, or a JSON "

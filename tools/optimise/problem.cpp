@@ -29,7 +29,7 @@ NamedRange named_range(const std::string& text, const std::string& flag, const s
 }
 
 double number(const std::string& end, const std::string& text, const std::string& flag) {
-  if (const auto value = quantity_value(end)) return *value;
+  if (!end.empty() && angle()(end).empty()) return parse_angle(end);
   throw InputError(flag, fmt::format("\"{}\": \"{}\" is not a finite number", text, end));
 }
 

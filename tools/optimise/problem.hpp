@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "evaluation.hpp"
-#include "quantity.hpp"
+#include "beadswim/study/quantity.hpp"
 #include "search.hpp"
 
 // Optimisation problem: free values with their bounds, the objective, and constraints.

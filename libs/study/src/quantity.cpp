@@ -1,4 +1,4 @@
-#include "quantity.hpp"
+#include "beadswim/study/quantity.hpp"
 
 #include <fmt/core.h>
 
@@ -11,8 +11,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/io/fields_json.hpp"
-#include "beadswim/tools/program.hpp"
-#include "swimmer_flags.hpp"
+#include "beadswim/study/named_quantity.hpp"
 
 namespace beadswim {
 namespace {
@@ -89,16 +88,12 @@ void require_effect(const Json& layout, const std::string& name, const std::stri
                         name, source));
 }
 
-/// Replaces types and fluid of the layout by those with the values of flags.
-Json with_flags(const LayoutDocument& document, const std::vector<std::string>& arguments,
-                const std::string& source, const std::string& flag) {
+/// Returns the layout with the values in its types and its fluid. The swimmers keep the drivings of their
+/// own.
+Json with_named_values(const LayoutDocument& document, const QuantityValues& values,
+                       const std::string& source) {
   LayoutDocument changed = document;
-  CLI::App command("", flag);
-  const SwimmerFlags flags(command, {}, "");
-  std::vector<const char*> words{"beadswim-layout"};
-  for (const std::string& argument : arguments) words.push_back(argument.c_str());
-  parse_command_line(command, static_cast<int>(words.size()), words.data());
-  flags.apply(changed.layout, source);
+  set_quantities(changed.layout, values, source);
   Json json = layout_to_json(document);
   const Json with = layout_to_json(changed);
   for (const char* key : {"fluid", "types", "resolution"})
@@ -110,8 +105,9 @@ Json with_flags(const LayoutDocument& document, const std::vector<std::string>& 
 
 std::string quantity_name(const std::string& text, const std::string& flag) {
   const std::string name = text.starts_with("--") ? text.substr(2) : text;
-  const std::vector<std::string>& names = SwimmerFlags::single_values();
-  if (!is_pointer(name) && std::ranges::find(names, name) == names.end())
+  std::vector<std::string> names;
+  for (const NamedQuantity& quantity : named_quantities()) names.push_back(quantity.name);
+  if (!is_pointer(name) && !find_quantity(name))
     throw InputError(flag, fmt::format("\"{}\": {}; anything else in a layout has a JSON pointer, such as "
                                        "/domain/lengths/0",
                                        text, format_unknown_name(name, names)));
@@ -126,15 +122,10 @@ std::string quantity_name(const std::string& text, const std::string& flag) {
   }
 }
 
-std::optional<double> quantity_value(const std::string& text) {
-  if (text.empty() || !angle()(text).empty()) return std::nullopt;
-  return parse_angle(text);
-}
-
 LayoutDocument with_values(const Json& layout, const StudyPoint& point, const std::string& source,
                            const std::string& flag) {
   Json json = layout;
-  std::vector<std::string> arguments;
+  QuantityValues named;
   std::string values;
   for (const auto& [name, value] : point) {
     const std::string text =
@@ -148,14 +139,15 @@ LayoutDocument with_values(const Json& layout, const StudyPoint& point, const st
                             std::abs(value.get<double>()) < 1e15;
       place = is_whole ? Json(static_cast<std::int64_t>(value.get<double>())) : value;
     } else {
-      arguments.push_back(fmt::format("--{}={}", name, text));
+      const std::string fault = value_fault(*find_quantity(name), value);
+      if (!fault.empty()) throw InputError(flag, fmt::format("{}: {}", name, fault));
+      named[name] = value;
     }
   }
   const std::string changed = fmt::format("{} with {}", source, values);
   LayoutDocument document = layout_from_json(json, changed);
-  for (const auto& [name, value] : point)
-    if (!is_pointer(name)) require_effect(json, name, source, flag);
-  if (!arguments.empty()) document = layout_from_json(with_flags(document, arguments, source, flag), changed);
+  for (const auto& [name, value] : named) require_effect(json, name, source, flag);
+  if (!named.empty()) document = layout_from_json(with_named_values(document, named, source), changed);
   if (document.study.is_null()) document.study = Json::object();
   for (const auto& [name, value] : point) {
     if (document.study.contains(name))

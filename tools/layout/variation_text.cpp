@@ -1,11 +1,9 @@
-#include "study.hpp"
+#include "variation_text.hpp"
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <set>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/tools/program.hpp"
@@ -14,14 +12,18 @@ namespace beadswim {
 namespace {
 
 constexpr const char* over = "--over";
-constexpr std::size_t max_values = 1000000;
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why) {
   throw InputError(over, fmt::format("\"{}\": {}", text, why));
 }
 
+/// Returns the number, an angle with the ending deg in radian; nullopt if the text is no finite number.
+std::optional<double> number_in(const std::string& text) {
+  return text.empty() || !angle()(text).empty() ? std::nullopt : std::optional(parse_angle(text));
+}
+
 double number_or_refuse(const std::string& text, const std::string& all) {
-  if (const auto value = quantity_value(text)) return *value;
+  if (const auto value = number_in(text)) return *value;
   refuse(all,
          fmt::format("\"{}\" is not a finite number; write NAME=FROM:TO:COUNT, such as period=1000:8000:8",
                      text));
@@ -30,10 +32,10 @@ double number_or_refuse(const std::string& text, const std::string& all) {
 std::size_t count_or_refuse(const std::string& text, const std::string& all) {
   std::size_t count = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (fault == std::errc() && end == text.data() + text.size() && count >= 2 && count <= max_values)
+  if (fault == std::errc() && end == text.data() + text.size() && count >= 2 && count <= max_study_points)
     return count;
-  refuse(all,
-         fmt::format("the number of values, \"{}\", must be a whole number from 2 to {}", text, max_values));
+  refuse(all, fmt::format("the number of values, \"{}\", must be a whole number from 2 to {}", text,
+                          max_study_points));
 }
 
 std::vector<Json> range(const std::vector<std::string>& parts, const std::string& all) {
@@ -58,7 +60,7 @@ std::vector<Json> list(const std::string& text, const std::string& all) {
   std::vector<Json> values;
   for (const std::string& part : split_at_commas(text)) {
     if (part.empty()) refuse(all, "a value is missing; write NAME=VALUE,VALUE,...");
-    if (const auto value = quantity_value(part)) {
+    if (const auto value = number_in(part)) {
       values.emplace_back(*value);
     } else {
       values.emplace_back(part);
@@ -80,34 +82,13 @@ Variation parse_variation(const std::string& text) {
   return variation;
 }
 
-std::vector<StudyPoint> study_points(const std::vector<Variation>& variations, bool together) {
-  std::set<std::string> names;
+void require_equal_counts(const std::vector<Variation>& variations) {
+  const Variation& first = variations.front();
   for (const Variation& variation : variations)
-    if (!names.insert(variation.name).second)
-      throw InputError(over,
-                       fmt::format("\"{}\" is named twice; give all its values at once", variation.name));
-  const std::size_t first = variations.front().values.size();
-  std::size_t count = together ? first : 1;
-  for (const Variation& variation : variations) {
-    if (together && variation.values.size() != first)
+    if (variation.values.size() != first.values.size())
       throw InputError("--together",
-                       fmt::format("\"{}\" has {} values and \"{}\" has {}; give equally many",
-                                   variations.front().name, first, variation.name, variation.values.size()));
-    if (!together) count *= variation.values.size();
-    if (count > max_values)
-      throw InputError(over, fmt::format("the grid has more than {} layouts; give fewer values", max_values));
-  }
-  std::vector<StudyPoint> points(count);
-  for (std::size_t p = 0; p < count; ++p) {
-    std::size_t rest = p;
-    for (auto variation = variations.rbegin(); variation != variations.rend(); ++variation) {
-      const std::size_t values = variation->values.size();
-      points[p].emplace_back(variation->name, variation->values[together ? p : rest % values]);
-      rest /= values;
-    }
-    std::ranges::reverse(points[p]);
-  }
-  return points;
+                       fmt::format("\"{}\" has {} values and \"{}\" has {}; give equally many", first.name,
+                                   first.values.size(), variation.name, variation.values.size()));
 }
 
 }  // namespace beadswim
