@@ -267,7 +267,9 @@ SceneProperties common_properties(const Layout& layout) {
 
 SceneProperties swimmer_properties(const SwimmerType& type) {
   const auto three = three_bead_form(type);
-  return properties_of(three ? leaves_of(*three) : leaves_of(type));
+  SceneProperties properties = properties_of(three ? leaves_of(*three) : leaves_of(type));
+  properties.try_emplace("phase");  // of a type without harmonics
+  return properties;
 }
 
 PropertyValue swimmers_value(std::vector<int> ids) {
