@@ -16,9 +16,10 @@ Json study_in(const Json& document) {
   return document.is_object() ? document.value("study", Json()) : Json();
 }
 
-/// Returns the reason of a failure for the documents that depend on it.
-std::string failure_reason(const Json& failure, const std::string& source) {
-  return fmt::format("{} is a failure: {}", source, failure.value("reason", ""));
+/// Throws InputError if the document is a failure.
+void require_result(const Json& document, const std::string& source) {
+  if (is_failure(document))
+    throw InputError(fmt::format("{} is a failure: {}", source, document.value("reason", "")));
 }
 
 }  // namespace
@@ -73,84 +74,60 @@ ComparisonInputs ComparisonFiles::all() {
   return inputs;
 }
 
-int ComparisonFiles::check() {
-  int runs = 0;
+StoredStream ComparisonFiles::runs() {
+  StoredStream runs;
   for (File& file : runs_) {
     if (!file.stream) {
       run_of_trajectory(file.path);
-      ++runs;
-      continue;
+      runs.add({.text = {}, .source = file.path});
     }
-    for (; const auto member = file.stream->next(); ++runs) {
+    while (const auto member = file.stream ? file.stream->next() : std::nullopt) {
       const Json json = parse_json(member->text, member->source);
       if (!is_failure(json)) run_record_from_json(json, member->source);
+      runs.add(*member);
     }
-    file.stream->rewind();
   }
   for (File& file : references_) {
-    if (file.is_single) {
-      only_document(file);
-      continue;
-    }
-    while (const auto member = file.stream->next()) {
+    if (file.is_single) only_document(file);
+    while (const auto member = file.is_single ? std::nullopt : file.stream->next()) {
       const Json json = parse_json(member->text, member->source);
       if (!is_failure(json)) swimming_from_json(json, member->source);
     }
-    file.stream->rewind();
+    if (!file.is_single) file.stream->rewind();
   }
   return runs;
 }
 
-/// Adds the document of the file with this study. Returns the reason if there is none. The search goes on
+/// Returns the document of the file with this study. Throws InputError if there is none. The search goes on
 /// from the place of the last one, so that files with the same order are read once.
-std::string ComparisonFiles::add_reference(File& file, const Json& study, ComparisonInputs& inputs) {
-  if (file.is_single) {
-    inputs.references.push_back({source_name(file.path), only_document(file)});
-    return "";
-  }
+SourceDocument ComparisonFiles::reference_for(File& file, const Json& study) {
+  if (file.is_single) return {source_name(file.path), only_document(file)};
   for (int pass = 0; pass < 2; ++pass) {
     while (const auto member = file.stream->next()) {
       const Json json = parse_json(member->text, member->source);
       if (study_in(json) != study) continue;
-      if (is_failure(json)) return failure_reason(json, member->source);
-      inputs.references.push_back({member->source, swimming_from_json(json, member->source)});
-      return "";
+      require_result(json, member->source);
+      return {member->source, swimming_from_json(json, member->source)};
     }
     file.stream->rewind();
   }
-  return fmt::format("{} has no document {}", source_name(file.path),
-                     study.is_null() ? "without a study" : "of the study " + study.dump());
+  throw InputError(fmt::format("{} has no document {}", source_name(file.path),
+                               study.is_null() ? "without a study" : "of the study " + study.dump()));
 }
 
-/// Adds the run of a stream's document, and the study. Returns the reason if the document is a failure.
-std::string ComparisonFiles::add_run(const StreamMember& member, Member& next) {
-  const Json json = parse_json(member.text, member.source);
-  next.study = study_in(json);
-  if (is_failure(json)) return failure_reason(json, member.source);
-  next.inputs.runs.push_back({member.source, run_from_json(json, member.source)});
-  return "";
-}
-
-std::optional<ComparisonFiles::Member> ComparisonFiles::next() {
-  for (; run_file_ < runs_.size(); ++run_file_) {
-    File& file = runs_[run_file_];
-    const auto member = file.stream ? file.stream->next() : std::nullopt;
-    if (file.stream && !member) continue;
-    Member next{.number = ++number_, .inputs = {}, .reason = {}, .study = {}};
-    try {
-      if (member)
-        next.reason = add_run(*member, next);
-      else
-        next.inputs.runs.push_back({file.path, run_of_trajectory(file.path)});
-      for (File& reference : references_)
-        if (next.reason.empty()) next.reason = add_reference(reference, next.study, next.inputs);
-    } catch (const InputError& error) {
-      next.reason = error.what();
-    }
-    if (!member) ++run_file_;
-    return next;
+ComparisonInputs ComparisonFiles::inputs_of(const StreamMember& run) {
+  ComparisonInputs inputs;
+  Json study;
+  if (run.text.empty()) {
+    inputs.runs.push_back({run.source, run_of_trajectory(run.source)});
+  } else {
+    const Json json = parse_json(run.text, run.source);
+    require_result(json, run.source);
+    study = study_in(json);
+    inputs.runs.push_back({run.source, run_from_json(json, run.source)});
   }
-  return std::nullopt;
+  for (File& reference : references_) inputs.references.push_back(reference_for(reference, study));
+  return inputs;
 }
 
 }  // namespace beadswim

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
+#include <optional>
 
-#include "beadswim/io/document_stream.hpp"
+#include "beadswim/study/stored_stream.hpp"
 #include "comparison_inputs.hpp"
 
 namespace beadswim {
@@ -20,19 +20,12 @@ class ComparisonFiles {
   /// Returns the documents of all files, if they are no stream. Throws InputError if one is invalid.
   ComparisonInputs all();
 
-  /// Throws InputError if a document of a stream is invalid. Returns the number of runs.
-  int check();
+  /// Returns the runs of a stream; a trajectory is a member without text. Throws InputError if a document of
+  /// the stream is invalid.
+  StoredStream runs();
 
-  /// A run of a stream with its references, or the reason why it has none.
-  struct Member {
-    int number = 1;
-    ComparisonInputs inputs;
-    std::string reason;  ///< empty if `inputs` are complete
-    Json study;
-  };
-
-  /// Returns the next run of a stream; nullopt at the end.
-  std::optional<Member> next();
+  /// Returns a run of a stream with its references. Throws InputError with the reason if it has none.
+  ComparisonInputs inputs_of(const StreamMember& run);
 
  private:
   struct File {
@@ -44,12 +37,9 @@ class ComparisonFiles {
 
   static File open(const std::string& path);
   static const SwimmingDocument& only_document(File& file);
-  static std::string add_run(const StreamMember& member, Member& next);
-  std::string add_reference(File& file, const Json& study, ComparisonInputs& inputs);
+  static SourceDocument reference_for(File& file, const Json& study);
 
   std::vector<File> runs_, references_;
-  std::size_t run_file_ = 0;
-  int number_ = 0;
 };
 
 }  // namespace beadswim

@@ -2,6 +2,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/failure_document.hpp"
+#include "beadswim/study/processes.hpp"
 #include "beadswim/tools/named_flags.hpp"
 #include "comparison_stream.hpp"
 #include "verdict_table.hpp"
@@ -83,30 +84,22 @@ int compare_single(ComparisonFiles& files, const ComparisonRequest& request) {
 
 /// Writes a verdict or a failure per run. Throws SolverError at the end if there are failures.
 int compare_stream(ComparisonFiles& files, const ComparisonRequest& request) {
-  const int runs = files.check();
-  int failed = 0, negative = 0;
-  while (auto member = files.next()) {
-    std::string reason = member->reason;
-    try {
-      if (reason.empty()) {
-        const VerdictDocument result = compare(member->inputs, request);
-        negative += !verdict(result.rows);
-        write_text("-", dump_json_line(verdict_to_json(result)));
-        print_to_stderr(verdict_line(result));
-        continue;
-      }
-    } catch (const InputError& error) {
-      reason = error.what();
-    }
-    ++failed;
-    write_text("-", failure_line({.program = "beadswim-compare",
-                                  .member = member->number,
-                                  .reason = reason,
-                                  .study = member->study}));
-  }
-  require_no_failures(failed, runs, "runs have no verdict");
-  print_to_stderr(fmt::format("verdicts: {} of {} pass\n", runs - negative, runs));
-  return static_cast<int>(negative == 0 ? ExitStatus::fine : ExitStatus::negative_verdict);
+  const StoredStream runs = files.runs();
+  const auto work = [&](const StreamMember& member) {
+    const VerdictDocument result = compare(files.inputs_of(member), request);
+    return MemberResult{.line = dump_json_line(verdict_to_json(result)),
+                        .note = verdict_line(result),
+                        .findings = {.negative = !verdict(result.rows)}};
+  };
+  const auto take = [](int, const MemberResult& result) {
+    write_text("-", result.line);
+    if (!result.findings.failed) print_to_stderr(result.note);
+  };
+  const Findings findings =
+      work_in_processes(runs, 1, work, {.program = "beadswim-compare", .take = take}).findings;
+  require_no_failures(findings.failed, runs.size(), "runs have no verdict");
+  print_to_stderr(fmt::format("verdicts: {} of {} pass\n", runs.size() - findings.negative, runs.size()));
+  return static_cast<int>(findings.negative == 0 ? ExitStatus::fine : ExitStatus::negative_verdict);
 }
 
 int run(int argc, const char* const* argv) {

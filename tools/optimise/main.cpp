@@ -9,6 +9,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/run/run_settings.hpp"
+#include "beadswim/study/processes.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/tools/named_flags.hpp"
 #include "beadswim/tools/stop_signal.hpp"
@@ -189,38 +190,37 @@ class Searches {
         program_(program),
         problem_(problem_of(flags)),
         free_(parse_free_values(flags.free)),
-        layouts_(flags.files),
         by_(evaluator_of(flags)) {
     if (!flags.verify_by.empty()) verifier_ = verifier_of(flags);
-    for (; const auto member = layouts_.next(); ++count_) Optimisation(*member, problem_, free_, by_, trace_);
-    layouts_.rewind();
+    DocumentStream documents(flags.files);
+    is_single_ = documents.is_single();
+    is_line_ = documents.is_lines();
+    layouts_ = StoredStream(
+        documents, [&](const StreamMember& member) { Optimisation(member, problem_, free_, by_, trace_); });
   }
 
   /// Writes the layouts that were found, or failures in their place. Throws InputError or SolverError if
   /// one has none.
   void run() {
-    while (const auto member = layouts_.next()) {
-      if (layouts_.is_single()) {
-        write(find(*member));
-        continue;
-      }
-      try {
-        write(find(*member));
-      } catch (const InputError& error) {
-        write_failure(*member, error.what());
-      } catch (const SolverError& error) {
-        write_failure(*member, error.what());
-      }
+    const auto work = [&](const StreamMember& member) { return find(member); };
+    const auto take = [](int, const MemberResult& result) { write_text("-", result.line); };
+    Findings findings;
+    if (is_single_) {
+      const MemberResult result = find(layouts_.member(1));
+      take(1, result);
+      findings = result.findings;
+    } else {
+      findings = work_in_processes(layouts_, 1, work, {.program = optimise_name, .take = take}).findings;
     }
-    require_no_failures(failed_, count_, "layouts have no result");
-    if (unverified_ > 0)
+    require_no_failures(findings.failed, layouts_.size(), "layouts have no result");
+    if (findings.incomplete > 0)
       throw SolverError(fmt::format("{} could not verify what was found", flags_.verify_by));
   }
 
   std::string trace() const { return read_all(trace_); }
 
  private:
-  LayoutDocument find(const StreamMember& member) {
+  MemberResult find(const StreamMember& member) {
     const int dimensions = static_cast<int>(free_.size());
     Optimisation optimisation(member, problem_, free_, by_, trace_);
     optimisation.begin();
@@ -228,33 +228,24 @@ class Searches {
     optimisation.find({.num_inequalities = problem_.num_inequalities(),
                        .evaluations = flags_.evaluations.value_or(default_evaluations(dimensions)),
                        .seed = static_cast<unsigned long>(flags_.seed)});
-    unverified_ += verifier_ && !optimisation.verify(*verifier_);
-    return optimisation.best();
-  }
-
-  void write(LayoutDocument layout) const {
+    const bool is_unverified = verifier_ && !optimisation.verify(*verifier_);
+    LayoutDocument layout = optimisation.best();
     layout.provenance.push_back(provenance_record(program_));
     const Json json = layout_to_json(layout);
-    write_text("-", layouts_.is_single() && !layouts_.is_lines() ? dump_json(json) : dump_json_line(json));
-  }
-
-  void write_failure(const StreamMember& member, const std::string& reason) {
-    ++failed_;
-    write_text("-", failure_line({.program = optimise_name,
-                                  .member = member.number,
-                                  .reason = reason,
-                                  .study = layout_of(member).study}));
+    return {.line = is_single_ && !is_line_ ? dump_json(json) : dump_json_line(json),
+            .findings = {.incomplete = is_unverified}};
   }
 
   const Flags& flags_;
   const CLI::App& program_;
   const Problem problem_;
   const std::vector<FreeValue> free_;
-  DocumentStream layouts_;
+  StoredStream layouts_;
+  bool is_single_ = false;
+  bool is_line_ = false;  ///< of a single layout: it is a line
   const OpenFile trace_ = temporary_file();
   const NamedEvaluator by_;
   std::optional<NamedEvaluator> verifier_;
-  int count_ = 0, failed_ = 0, unverified_ = 0;
 };
 
 int run(int argc, char** argv) {

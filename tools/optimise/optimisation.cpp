@@ -7,7 +7,7 @@
 #include <random>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/tools/stream_jobs.hpp"
+#include "beadswim/study/stream.hpp"
 
 namespace beadswim {
 namespace {
@@ -129,7 +129,7 @@ void Optimisation::begin() {
 }
 
 void Optimisation::find(const SearchSettings& settings) {
-  StreamProgress progress(optimise_name, settings.evaluations, "evaluations");
+  StreamProgress progress(say, settings.evaluations, "evaluations");
   int done = 0;
   const auto evaluate_for_search = [&](const Position& position) {
     progress.update(done++);

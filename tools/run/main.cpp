@@ -42,10 +42,9 @@ int run_program(int argc, char** argv, const Communicator& communicator, const C
   auto read = read_request(argc, argv, communicator);
   if (const int* status = std::get_if<int>(&read)) return *status;
   Request& request = std::get<Request>(read);
-  LayoutStream layouts(request, communicator);
-  if (layouts.is_stream()) return run_stream(layouts, request.options, start, communicator, failures);
-  const std::optional<StreamMember> layout = layouts.next();
-  const LayoutDocument document = read_layout(request, layout ? std::optional(layout->text) : std::nullopt);
+  const GivenLayouts given = read_layouts(request, communicator);
+  if (given.is_stream) return run_stream(given.layouts, request.options, start, communicator, failures);
+  const LayoutDocument document = read_layout(request, given.layouts);
   if (request.options.plan) return report_plan(document, request, communicator);
   RunTask task{.document = document,
                .settings = request.options.settings,

@@ -65,13 +65,11 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
           .lattice_speed = [&communicator] { return speed_of_this_machine(print_message, communicator); }};
 }
 
-std::optional<StopRequest> stop_request(const RunOptions& options, double start,
-                                        const Communicator& communicator) {
+std::optional<StopRequest> stop_request(const RunOptions& options, double start) {
   if (const int signal = stop_signal(); signal != 0)
     return StopRequest{.status = RunStatus::stopped_signal,
                        .reason = fmt::format("the run was stopped by signal {}", signal)};
-  if (!options.time_limit || !communicator.is_root() || MPI_Wtime() - start <= *options.time_limit)
-    return std::nullopt;
+  if (!options.time_limit || MPI_Wtime() - start <= *options.time_limit) return std::nullopt;
   return StopRequest{
       .status = RunStatus::stopped_time,
       .reason = fmt::format(
@@ -100,7 +98,7 @@ RunRecord run_alone(RunTask task, const RunOptions& options, double start, const
   catch_stop_signals();
   const RunSinks sinks{.message = print_message,
                        .progress = [&](long steps_done) { progress.update(steps_done); },
-                       .stop = [&] { return stop_request(options, start, communicator); },
+                       .stop = [&] { return stop_request(options, start); },
                        .failure =
                            [&](const std::string& checkpoint) {
                              print_restart_flag(checkpoint, task.trajectory);

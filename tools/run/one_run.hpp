@@ -25,10 +25,9 @@ void print_message(const std::string& message);
 /// request refers to `communicator`, which must exist as long as the request.
 PlanRequest plan_request(const RunOptions& options, const Communicator& communicator);
 
-/// Returns the request to stop of the program: after a signal, or on rank 0 after the time limit. `start`:
+/// Returns the request to stop of the program, after a signal to this rank or the time limit. `start`:
 /// MPI_Wtime from which the time limit counts [s].
-std::optional<StopRequest> stop_request(const RunOptions& options, double start,
-                                        const Communicator& communicator);
+std::optional<StopRequest> stop_request(const RunOptions& options, double start);
 
 /// Returns the description of the run of a task, with its expected errors. If the model is auto, plans all
 /// possible runs before and gives the task the settings of the cheapest run whose expected error is at most

@@ -1,6 +1,7 @@
 #include "request.hpp"
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/rank_failure.hpp"
 #include "beadswim/run/checkpoints.hpp"
 #include "beadswim/tools/program.hpp"
 #include "one_run.hpp"
@@ -29,14 +30,33 @@ std::variant<Request, int> read_request(int argc, char** argv, const Communicato
   return request;
 }
 
-LayoutDocument read_layout(const Request& request, const std::optional<std::string>& given) {
+GivenLayouts read_layouts(const Request& request, const Communicator& communicator) {
+  const RunOptions& options = request.options;
+  GivenLayouts given;
+  check_on_root(
+      [&] {
+        if (request.checkpoint && !options.names_layouts) return;
+        DocumentStream documents(options.layouts);
+        given.is_stream = !documents.is_single() || options.output.find(number_mark) != std::string::npos;
+        given.layouts = StoredStream(documents, [&](const StreamMember& member) {
+          if (given.is_stream) layout_of(member);
+        });
+      },
+      communicator);
+  given.layouts.share(communicator);
+  MPI_Bcast(&given.is_stream, 1, MPI_C_BOOL, 0, communicator.get());
+  return given;
+}
+
+LayoutDocument read_layout(const Request& request, const StoredStream& layouts) {
   const auto parse = [](const std::string& text, const std::string& name) {
     return layout_from_json(parse_json(text, name), name);
   };
-  if (given) require_other_file(request.options.layouts.front(), request.options.output);
-  if (!request.checkpoint) return parse(given.value(), request.source());
+  const bool is_given = layouts.size() > 0;
+  if (is_given) require_other_file(request.options.layouts.front(), request.options.output);
+  if (!request.checkpoint) return parse(layouts.member(1).text, request.source());
   const LayoutDocument kept = parse(layout_of(*request.checkpoint), request.checkpoint->path());
-  if (given && scene_text(parse(*given, request.source())) != scene_text(kept)) {
+  if (is_given && scene_text(parse(layouts.member(1).text, request.source())) != scene_text(kept)) {
     throw InputError(request.source(),
                      "this layout is not the layout of the checkpoint's run; leave the layout out, or begin "
                      "without --restart");

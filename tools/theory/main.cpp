@@ -8,9 +8,9 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/io/document_stream.hpp"
+#include "beadswim/study/processes.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/tools/program.hpp"
-#include "beadswim/tools/stream_jobs.hpp"
 #include "predict_layout.hpp"
 
 // beadswim-theory predicts velocity and stroke of a swimmer by all theory methods that can treat it, or by
@@ -106,61 +106,30 @@ void print_warnings(const PredictionDocument& predicted) {
   print_left_out_methods(predicted.left_out);
 }
 
-/// Findings of the work on one layout of a stream, combined as bits.
-enum Findings { warned = 1, incomplete = 2, failed = 4 };
-
-/// Reads all layouts. Throws InputError if one is invalid. Returns their number.
-int check_layouts(DocumentStream& layouts) {
-  int count = 0;
-  for (; const auto member = layouts.next(); ++count) layout_of(*member);
-  layouts.rewind();
-  return count;
-}
-
-void predict_stream(DocumentStream& layouts, const TheoryRequest& request,
+void predict_stream(const StoredStream& layouts, const TheoryRequest& request,
                     const std::optional<MeasuredStroke>& measured, const CLI::App& program) {
-  for (const std::string& name : request.methods)
-    if (name != "all") find_method(name);  // throws InputError if there is none
-  const int count = check_layouts(layouts);
-  const auto failure_of = [&](const StreamMember& member, const std::string& reason) {
-    const FailureDocument failure{.program = program.get_name(),
-                                  .member = member.number,
-                                  .reason = reason,
-                                  .study = layout_of(member).study};
-    return MemberResult{failure_line(failure), failed};
-  };
   const auto work = [&](const StreamMember& member) {
-    try {
-      const PredictionDocument predicted =
-          predict_layout(layout_of(member), member.source, request, measured);
-      return MemberResult{
-          dump_json_line(predictions_json(predicted, program)),
-          (predicted.warnings.empty() ? 0 : warned) | (predicted.left_out.empty() ? 0 : incomplete)};
-    } catch (const std::exception& error) {
-      return failure_of(member, error.what());
-    }
+    const PredictionDocument predicted = predict_layout(layout_of(member), member.source, request, measured);
+    return MemberResult{
+        .line = dump_json_line(predictions_json(predicted, program)),
+        .findings = {.warned = !predicted.warnings.empty(), .incomplete = !predicted.left_out.empty()}};
   };
-  StreamProgress progress(program.get_name(), count);
-  std::map<int, int> layouts_with;  // number of layouts, by finding
-  const auto take = [&](const StreamMember& member, const std::optional<MemberResult>& result) {
-    const MemberResult done =
-        result ? *result : failure_of(member, "the process ended; its memory may not have been sufficient");
-    write_text("-", done.text);
-    for (const int finding : {warned, incomplete, failed})
-      layouts_with[finding] += (done.state & finding) != 0;
-    progress.update(member.number);
-  };
-  for_each_member(layouts, std::min(request.jobs, count), work, take);
-  if (layouts_with[warned] > 0)
-    print_to_stderr(fmt::format(
-        "beadswim-theory: {} of {} layouts have warnings: see the key \"warnings\" of each prediction\n",
-        layouts_with[warned], count));
-  if (layouts_with[incomplete] > 0)
-    print_to_stderr(
-        fmt::format("beadswim-theory: methods were left out for {} of {} layouts: see the key "
-                    "\"left_out\" of each prediction\n",
-                    layouts_with[incomplete], count));
-  require_no_failures(layouts_with[failed], count, "layouts have no prediction");
+  const auto tell = [](const std::string& text) { print_to_stderr("beadswim-theory: " + text + "\n"); };
+  const int count = layouts.size();
+  const auto [failed, warned, incomplete, negative] =
+      work_in_processes(layouts, request.jobs, work,
+                        {.program = program.get_name(),
+                         .take = [](int, const MemberResult& result) { write_text("-", result.line); },
+                         .progress = tell})
+          .findings;
+  if (warned > 0)
+    tell(fmt::format("{} of {} layouts have warnings: see the key \"warnings\" of each prediction", warned,
+                     count));
+  if (incomplete > 0)
+    tell(
+        fmt::format("methods were left out for {} of {} layouts: see the key \"left_out\" of each prediction",
+                    incomplete, count));
+  require_no_failures(failed, count, "layouts have no prediction");
 }
 
 int run(int argc, char** argv) {
@@ -172,7 +141,10 @@ int run(int argc, char** argv) {
   if (request.stroke_path) measured = read_measured_stroke(*request.stroke_path, request.swimmer);
   DocumentStream layouts(request.layout_paths);
   if (!layouts.is_single()) {
-    predict_stream(layouts, request, measured, *program);
+    for (const std::string& name : request.methods)
+      if (name != "all") find_method(name);  // throws InputError if there is none
+    const StoredStream all(layouts, [](const StreamMember& layout) { layout_of(layout); });
+    predict_stream(all, request, measured, *program);
   } else {
     const StreamMember layout = *layouts.next();
     const PredictionDocument predicted = predict_layout(layout_of(layout), layout.source, request, measured);

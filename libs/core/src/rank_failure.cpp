@@ -35,6 +35,19 @@ bool all_ranks_fail_together(const Communicator& communicator) {
 
 }  // namespace
 
+void check_on_root(const std::function<void()>& check, const Communicator& communicator) {
+  std::string fault;
+  if (communicator.is_root()) {
+    try {
+      check();
+    } catch (const InputError& error) {
+      fault = error.what();
+    }
+  }
+  broadcast(fault, communicator);
+  if (!fault.empty()) throw InputError(fault);
+}
+
 int end_after_failure(const std::string& program, const Communicator& failures) {
   constexpr int failed = static_cast<int>(ExitStatus::failed);
   if (all_ranks_fail_together(failures))

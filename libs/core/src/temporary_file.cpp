@@ -1,6 +1,7 @@
 #include "beadswim/core/temporary_file.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -32,9 +33,9 @@ void append(const OpenFile& file, const std::string& text) {
 
 std::string read_bytes(const OpenFile& file, std::int64_t start, std::int64_t bytes) {
   std::string text(bytes, '\0');
-  if (std::fseek(file.get(), start, SEEK_SET) != 0) fail("read");
-  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-  if (std::ferror(file.get())) fail("read");
+  const ssize_t size = ::pread(::fileno(file.get()), text.data(), text.size(), start);
+  if (size < 0) fail("read");
+  text.resize(size);
   return text;
 }
 

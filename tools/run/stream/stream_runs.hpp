@@ -1,6 +1,7 @@
 #pragma once
 
-#include "stream/layout_stream.hpp"
+#include "beadswim/study/stored_stream.hpp"
+#include "options.hpp"
 
 // Runs of a stream of layouts. The ranks form groups; each group runs one layout after the other.
 
@@ -11,7 +12,7 @@ namespace beadswim {
 /// holds the record of the same run is not run again. `start`: MPI_Wtime from which --time-limit counts [s].
 /// Throws InputError on all ranks, before work begins, if the command line does not fit a stream. Returns the
 /// exit status. Collective.
-int run_stream(LayoutStream& stream, RunOptions options, double start, const Communicator& communicator,
-               const Communicator& failures);
+int run_stream(const StoredStream& layouts, RunOptions options, double start,
+               const Communicator& communicator, const Communicator& failures);
 
 }  // namespace beadswim

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "beadswim/core/communicator.hpp"
 
 namespace beadswim {
+
+/// Calls `check` on rank 0. If it throws InputError, all ranks throw it. Collective.
+void check_on_root(const std::function<void()>& check, const Communicator& communicator);
 
 /// Prints the message of the current exception and ends the program on all ranks. Must be called inside a
 /// catch block. If all ranks call this function within a few seconds, only rank 0 prints its message, and the

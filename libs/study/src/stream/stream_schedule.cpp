@@ -1,14 +1,12 @@
-#include "stream/stream_schedule.hpp"
-
-#include <fmt/core.h>
+#include "beadswim/study/stream_schedule.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "beadswim/core/error.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
+#include "beadswim/documents/layout_document.hpp"
 #include "beadswim/run/reason_against.hpp"
 #include "beadswim/run/run_length.hpp"
 
@@ -72,25 +70,18 @@ void move_large(StreamSchedule& schedule, const std::vector<LatticeSize>& sizes,
 
 }  // namespace
 
-StreamSchedule schedule_of(const StoredLayouts& layouts, const RunOptions& options,
-                           const Communicator& communicator) {
+StreamSchedule schedule_of(const StoredStream& layouts, const RunSettings& settings,
+                           const std::optional<int>& ranks_per_run, const Communicator& communicator) {
   StreamSchedule schedule;
   schedule.side_by_side.resize(layouts.size());
   std::iota(schedule.side_by_side.begin(), schedule.side_by_side.end(), 1);
-  if (options.ranks_per_run) {
-    schedule.ranks_per_run = *options.ranks_per_run;
-    if (schedule.ranks_per_run <= communicator.size()) return schedule;
-    throw InputError("--ranks-per-run", fmt::format("{} is more than the {} ranks of this program; give a "
-                                                    "smaller number, or more ranks with mpirun -n",
-                                                    schedule.ranks_per_run, communicator.size()));
-  }
-  schedule.ranks_per_run = smallest_group(schedule.side_by_side.size(), communicator);
-  if (options.settings.model != RunModel::lbm || schedule.groups(communicator) == 1) return schedule;
+  schedule.ranks_per_run = ranks_per_run.value_or(smallest_group(layouts.size(), communicator));
+  if (ranks_per_run || settings.model != RunModel::lbm || schedule.groups(communicator) == 1) return schedule;
   double bytes_of_rank = installed_bytes() / count_ranks_on_node(communicator);
   MPI_Allreduce(MPI_IN_PLACE, &bytes_of_rank, 1, MPI_DOUBLE, MPI_MIN, communicator.get());
   std::vector<LatticeSize> sizes(layouts.size());
   for (int number = 1 + communicator.rank(); number <= layouts.size(); number += communicator.size())
-    sizes[number - 1] = lattice_size(layouts.member(number), options.settings, communicator.size());
+    sizes[number - 1] = lattice_size(layouts.member(number), settings, communicator.size());
   MPI_Allreduce(MPI_IN_PLACE, sizes.data(), 3 * layouts.size(), MPI_DOUBLE, MPI_SUM, communicator.get());
   move_large(schedule, sizes, bytes_of_rank, communicator);
   schedule.ranks_per_run = smallest_group(schedule.side_by_side.size(), communicator);

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "stream/layout_stream.hpp"
+#include "beadswim/run/run_settings.hpp"
+#include "beadswim/study/stored_stream.hpp"
 
-// Distribution of the layouts of a stream over the ranks.
+// Distribution of the members of a stream over the ranks.
 
 namespace beadswim {
 
-/// Numbers of layouts, from 1, and the ranks that treat them.
+/// Numbers of members, from 1, and the ranks that treat them.
 struct StreamSchedule {
   std::vector<int> side_by_side;  ///< treated at the same time, each by a group of ranks
   std::vector<int> on_all_ranks;  ///< large lattices, treated afterwards, one after the other
@@ -23,12 +25,12 @@ struct StreamSchedule {
   }
 };
 
-/// Returns the schedule of the flag --ranks-per-run, which gives all layouts to groups. By default, groups
-/// are as small as keep all ranks busy. A lattice is large then if all ranks can share its cells, 32^3 or
-/// more each, and if its group has too little memory for it, or if its work exceeds the share of a group in
-/// the work on all lattices by a quarter. Throws InputError on all ranks. Collective.
-StreamSchedule schedule_of(const StoredLayouts& layouts, const RunOptions& options,
-                           const Communicator& communicator);
+/// Returns the schedule of the runs of layouts. `ranks_per_run`: ranks of a group, which then treat all
+/// layouts; nullopt: groups are as small as keep all ranks busy. A lattice is large then if all ranks can
+/// share its cells, 32^3 or more each, and if its group has too little memory for it, or if its work exceeds
+/// the share of a group in the work on all lattices by a quarter. Collective.
+StreamSchedule schedule_of(const StoredStream& layouts, const RunSettings& settings,
+                           const std::optional<int>& ranks_per_run, const Communicator& communicator);
 
 /// Returns the communicator of the ranks of this rank's group. Collective.
 std::unique_ptr<Communicator> group_of(const StreamSchedule& schedule, const Communicator& communicator);
