@@ -67,6 +67,10 @@ check "all rows" test "$(grep -cE '^(velocity|arm|sin)' err)" -eq "$rows"
 # --- which numbers
 judged 0 beadswim-compare run.json prediction.json --quantity arm_amplitudes,sin_phase_shift --tolerance 0.03
 holds '[.rows[] | select(.decides) | [.quantity, .arm]] == [["arm_amplitudes", 1], ["arm_amplitudes", 2], ["sin_phase_shift", null]]'
+judged 0 beadswim-compare run.json run.json --quantity velocity_y,arm_phases
+holds '[.rows[] | [.quantity, .arm]] == [["velocity_y", null], ["arm_phases", 1], ["arm_phases", 2]]'
+valid verdict out
+err_has '^arm phase delta2 '
 judged 0 beadswim-compare run.json prediction.json --cycle 1 --quantity velocity
 holds '.rows[0].run == 6.9e-5'
 judged 0 beadswim-compare run.json prediction.json --cycle mean:2 --quantity velocity

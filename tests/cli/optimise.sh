@@ -29,6 +29,10 @@ check 'the trace' holds -s '.[0].stage == "given" and .[0].velocity > 0 and (map
   and (map(select(.stage == "search")) | length > 50 and all(.feasible and (.study.phase | type == "number")))
   and (map(select(.stage == "search").velocity) | max) == (map(select(.stage == "range").velocity) + [.[0].velocity] | max)' trace.jsonl
 
+# The trace states what is searched, beside the usual results.
+run beadswim-optimise paper.json --free phase=0:180deg --maximise sin_phase_shift --evaluations 10 --method oseen-force-closed --trace sine.jsonl
+has_status 0
+check 'the sine is in the trace' holds -s 'all(has("sin_phase_shift") and has("gap") and (has("velocity_x") | not))' sine.jsonl
 rest_is_long
 
 # With alpha = 0 it is proportional to W k/((k^2 + 4 W^2)(k^2 + 36 W^2)), W = pi eta omega lambda, greatest at

@@ -177,7 +177,7 @@ check 'their relative uncertainties as lengths' test "$(paste -d, <(grep 'rpy-od
   <(jq -r 'select(.study.phase > 1) | "\(.study.period),\(.predictions[0] | .uncertainty * .velocity)"' study-theory.jsonl | sort -t, -g) |
   awk -F, '{ d = $3 - $5; if (d * d < 1e-20 * $5 * $5 && $5 > 0) ++equal } END { print equal }')" = 7
 check 'bands' grep -q '<polygon' figure.svg
-for result in efficiency power arm_amplitudes; do
+for result in efficiency power arm_amplitudes sin_phase_shift gap; do
   accepts beadswim-plot against study-theory.jsonl --x period --y "$result" --group-by phase --log xy -o figure.svg
 done
 refuses '--x: "perod" is not varied in .*did you mean "period"' beadswim-plot against study-theory.jsonl --x perod -o x.svg

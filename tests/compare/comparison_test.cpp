@@ -11,22 +11,22 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-const std::vector<ComparedQuantity> every(default_quantities.begin(), default_quantities.end());
+const std::vector<ResultQuantity> every(default_quantities.begin(), default_quantities.end());
 
-ComparedValues swimming(double velocity, double d1, double d2, double sine) {
-  return {{ComparedQuantity::velocity, {velocity}},
-          {ComparedQuantity::arm_amplitudes, {d1, d2}},
-          {ComparedQuantity::sin_phase_shift, {sine}}};
+Results swimming(double velocity, double d1, double d2, double sine) {
+  return {{ResultQuantity::velocity, {{velocity}}},
+          {ResultQuantity::arm_amplitudes, {{d1, d2}}},
+          {ResultQuantity::sin_phase_shift, {{sine}}}};
 }
 
-Reference reference(const std::string& method, const ComparedValues& values, bool usable = true) {
+Reference reference(const std::string& method, const Results& values, bool usable = true) {
   return {"p.json", method, usable, values};
 }
 
 std::vector<ComparisonRow> compare_velocity(double run, double expected, double tolerance) {
-  const std::vector references{reference("rpy-ode", {{ComparedQuantity::velocity, {expected}}})};
-  return compare_swimmer({"r.json", 0, {{ComparedQuantity::velocity, {run}}}}, references,
-                         {{ComparedQuantity::velocity}, tolerance, 0});
+  const std::vector references{reference("rpy-ode", {{ResultQuantity::velocity, {{expected}}}})};
+  return compare_swimmer({"r.json", 0, {{ResultQuantity::velocity, {{run}}}}}, references,
+                         {{ResultQuantity::velocity}, tolerance, 0});
 }
 
 TEST(RootMeanSquare, WeighsValuesOfEitherSignAlike) {
@@ -48,16 +48,16 @@ TEST(RelativeError, IsSignedAgainstTheReferencesSize) {
 // Beads move by up to 0.01 in a time of 1, in a swimmer 20 long with a period of 100.
 constexpr MotionScale moving{.period = 100, .length = 20, .speed = 0.01};
 
-ComparisonRow compared(ComparedQuantity quantity, double run, double expected, double numerical_error = 0) {
-  Reference reference{"p.json", "rpy-ode", true, {{quantity, {expected}}}};
+ComparisonRow compared(ResultQuantity quantity, double run, double expected, double numerical_error = 0) {
+  Reference reference{"p.json", "rpy-ode", true, {{quantity, {{expected}}}}};
   reference.numerical_error = numerical_error;
-  const RunSwimmer swimmer{.source = "r.json", .id = 0, .swimming = {{quantity, {run}}}, .scale = moving};
+  const RunSwimmer swimmer{.source = "r.json", .id = 0, .results = {{quantity, {{run}}}}, .scale = moving};
   return compare_swimmer(swimmer, std::vector{reference}, {{quantity}, 0.05, 0}).at(0);
 }
 
 TEST(ZeroReference, AgreesWithARunThatIsZeroWithinRoundoff) {
-  for (const auto quantity : {ComparedQuantity::velocity, ComparedQuantity::arm_amplitudes,
-                              ComparedQuantity::angular_velocity, ComparedQuantity::sin_phase_shift}) {
+  for (const auto quantity : {ResultQuantity::velocity, ResultQuantity::arm_amplitudes,
+                              ResultQuantity::angular_velocity, ResultQuantity::sin_phase_shift}) {
     const ComparisonRow row = compared(quantity, -1e-16, -7e-19);
     EXPECT_EQ(row.relative_error, 0);
     EXPECT_TRUE(row.pass);
@@ -65,57 +65,70 @@ TEST(ZeroReference, AgreesWithARunThatIsZeroWithinRoundoff) {
 }
 
 TEST(ZeroReference, GivesErrorsRelativeToWhatMoves) {
-  EXPECT_DOUBLE_EQ(compared(ComparedQuantity::velocity, -1e-3, 1e-16).relative_error, -(1e-3 + 1e-16) / 0.01);
+  EXPECT_DOUBLE_EQ(compared(ResultQuantity::velocity, -1e-3, 1e-16).relative_error, -(1e-3 + 1e-16) / 0.01);
   const double stroke = 0.01 * 100 / (2 * std::numbers::pi);
-  EXPECT_DOUBLE_EQ(compared(ComparedQuantity::arm_amplitudes, 0.01, 0).relative_error, 0.01 / stroke);
-  EXPECT_DOUBLE_EQ(compared(ComparedQuantity::angular_velocity, 1e-4, 0).relative_error, 1e-4 / (0.01 / 20));
-  EXPECT_DOUBLE_EQ(compared(ComparedQuantity::sin_phase_shift, 0.1, 0).relative_error, 0.1);
-  EXPECT_FALSE(compared(ComparedQuantity::velocity, 1e-3, 0).pass);
-  EXPECT_TRUE(compared(ComparedQuantity::velocity, 1e-4, 0).pass);
+  EXPECT_DOUBLE_EQ(compared(ResultQuantity::arm_amplitudes, 0.01, 0).relative_error, 0.01 / stroke);
+  EXPECT_DOUBLE_EQ(compared(ResultQuantity::angular_velocity, 1e-4, 0).relative_error, 1e-4 / (0.01 / 20));
+  EXPECT_DOUBLE_EQ(compared(ResultQuantity::sin_phase_shift, 0.1, 0).relative_error, 0.1);
+  EXPECT_FALSE(compared(ResultQuantity::velocity, 1e-3, 0).pass);
+  EXPECT_TRUE(compared(ResultQuantity::velocity, 1e-4, 0).pass);
 }
 
 // A swimmer a million times slower than its beads is still compared with its own velocity, unless the
 // reference states a larger numerical error.
 TEST(ZeroReference, IsNotAReferenceThatIsOnlySmall) {
-  EXPECT_NEAR(compared(ComparedQuantity::velocity, 1.1e-8, 1e-8).relative_error, 0.1, 1e-12);
-  EXPECT_FALSE(compared(ComparedQuantity::velocity, 1.1e-8, 1e-8).pass);
-  EXPECT_TRUE(compared(ComparedQuantity::velocity, 1.1e-8, 1e-8, 2e-8).pass);
+  EXPECT_NEAR(compared(ResultQuantity::velocity, 1.1e-8, 1e-8).relative_error, 0.1, 1e-12);
+  EXPECT_FALSE(compared(ResultQuantity::velocity, 1.1e-8, 1e-8).pass);
+  EXPECT_TRUE(compared(ResultQuantity::velocity, 1.1e-8, 1e-8, 2e-8).pass);
 }
 
 TEST(ZeroReference, OfAnArmHasNoPhase) {
   const Reference reference{"p.json", "rpy-ode", true, swimming(1e-5, 2, 1e-15, 0.3)};
   const RunSwimmer run{
-      .source = "r.json", .id = 0, .swimming = swimming(1e-5, 2, 3e-15, -0.8), .scale = moving};
+      .source = "r.json", .id = 0, .results = swimming(1e-5, 2, 3e-15, -0.8), .scale = moving};
   const auto rows = compare_swimmer(run, std::vector{reference}, {every, 0.05, 0});
   EXPECT_EQ(rows.size(), 3U);
   EXPECT_TRUE(verdict(rows));
 }
 
-ComparisonRow compare_vectors(ComparedQuantity quantity, const Vec3& run, const Vec3& expected) {
-  const Reference reference{"p.json", "rpy-ode", true, {{quantity, with_vector(expected.x(), expected)}}};
+// An angle of 3.1 and one of -3.1 differ by 0.083, not by 6.2 or 200 %.
+TEST(ErrorsOfAngles, AreDifferencesWithinHalfATurn) {
+  const ComparisonRow row = compared(ResultQuantity::arm_phases, 3.1, -3.1);
+  EXPECT_DOUBLE_EQ(row.relative_error, 6.2 - 2 * std::numbers::pi);
+  EXPECT_EQ(row.arm, 1);
+}
+
+// A power has no scale: one that should be zero and is not has no finite error.
+TEST(ZeroReference, LeavesAPowerWithoutAScale) {
+  EXPECT_EQ(compared(ResultQuantity::power, 1e-9, 0).relative_error, infinity);
+  EXPECT_EQ(compared(ResultQuantity::efficiency, 1e-9, 0).relative_error, infinity);
+}
+
+ComparisonRow compare_vectors(ResultQuantity quantity, const Vec3& run, const Vec3& expected) {
+  const Reference reference{"p.json", "rpy-ode", true, {{quantity, {{expected.x()}, expected}}}};
   const RunSwimmer swimmer{
-      .source = "r.json", .id = 0, .swimming = {{quantity, with_vector(run.x(), run)}}, .scale = moving};
+      .source = "r.json", .id = 0, .results = {{quantity, {{run.x()}, run}}}, .scale = moving};
   return compare_swimmer(swimmer, std::vector{reference}, {{quantity}, 0.05, 0}).at(0);
 }
 
 // A sphere that is pulled along z has no velocity along its axis, x.
 TEST(ComparedVectors, DifferAcrossTheAxisToo) {
-  const ComparisonRow row = compare_vectors(ComparedQuantity::velocity, {0, 0, 5e-3}, {0, 0, 4e-3});
+  const ComparisonRow row = compare_vectors(ResultQuantity::velocity, {0, 0, 5e-3}, {0, 0, 4e-3});
   EXPECT_DOUBLE_EQ(row.run, 5e-3);
   EXPECT_DOUBLE_EQ(row.reference, 4e-3);
   EXPECT_DOUBLE_EQ(row.relative_error, 0.25);
   EXPECT_FALSE(row.pass);
-  EXPECT_FALSE(compare_vectors(ComparedQuantity::velocity, {0, 0, 5e-3}, {0, 0, 0}).pass);
-  EXPECT_FALSE(compare_vectors(ComparedQuantity::velocity, {0, 0, 0}, {0, 0, 5e-3}).pass);
-  const ComparisonRow across = compare_vectors(ComparedQuantity::velocity, {-4e-3, 1e-3, 0}, {-4e-3, 0, 0});
+  EXPECT_FALSE(compare_vectors(ResultQuantity::velocity, {0, 0, 5e-3}, {0, 0, 0}).pass);
+  EXPECT_FALSE(compare_vectors(ResultQuantity::velocity, {0, 0, 0}, {0, 0, 5e-3}).pass);
+  const ComparisonRow across = compare_vectors(ResultQuantity::velocity, {-4e-3, 1e-3, 0}, {-4e-3, 0, 0});
   EXPECT_NEAR(std::abs(across.relative_error), 0.25, 1e-15);
 }
 
 // The run has turned by a right angle about z and swims as expected in its own axes.
 TEST(ComparedVectors, AreThoseInTheAxesOfTheSwimmer) {
-  const ComparedQuantity velocity = ComparedQuantity::velocity;
-  Reference reference{"p.json", "rpy-ode", true, {{velocity, {3, 3, 0, 4}}}};
-  RunSwimmer run{.source = "r.json", .id = 0, .swimming = {{velocity, {3, 0, 3, 4}}}, .scale = moving};
+  const ResultQuantity velocity = ResultQuantity::velocity;
+  Reference reference{"p.json", "rpy-ode", true, {{velocity, {{3}, Vec3(3, 0, 4)}}}};
+  RunSwimmer run{.source = "r.json", .id = 0, .results = {{velocity, {{3}, Vec3(0, 3, 4)}}}, .scale = moving};
   const auto error = [&] {
     return compare_swimmer(run, std::vector{reference}, {{velocity}, 0.05, 0}).at(0).relative_error;
   };
@@ -126,7 +139,7 @@ TEST(ComparedVectors, AreThoseInTheAxesOfTheSwimmer) {
 }
 
 TEST(ComparedVectors, KeepTheSignOfAVelocityAlongTheAxis) {
-  const ComparisonRow row = compare_vectors(ComparedQuantity::velocity, {-4.4e-3, 0, 0}, {-4e-3, 0, 0});
+  const ComparisonRow row = compare_vectors(ResultQuantity::velocity, {-4.4e-3, 0, 0}, {-4e-3, 0, 0});
   EXPECT_DOUBLE_EQ(row.reference, -4e-3);
   EXPECT_DOUBLE_EQ(row.run, -4.4e-3);
   EXPECT_NEAR(row.relative_error, -0.1, 1e-15);
@@ -134,7 +147,7 @@ TEST(ComparedVectors, KeepTheSignOfAVelocityAlongTheAxis) {
 
 TEST(ComparedVectors, DifferByTheSenseOfARotation) {
   EXPECT_DOUBLE_EQ(
-      compare_vectors(ComparedQuantity::angular_velocity, {0, 0, -1e-4}, {0, 0, 1e-4}).relative_error, -2);
+      compare_vectors(ResultQuantity::angular_velocity, {0, 0, -1e-4}, {0, 0, 1e-4}).relative_error, -2);
 }
 
 TEST(Verdict, PassesAtTheToleranceAndFailsBeyondIt) {
@@ -191,14 +204,14 @@ TEST(Comparison, OneArmThatIsOffMakesTheVerdictNegative) {
 }
 
 TEST(Comparison, LeavesOutWhatAReferenceDoesNotKnow) {
-  const std::vector references{reference("oseen-stroke-closed", {{ComparedQuantity::velocity, {1}}})};
+  const std::vector references{reference("oseen-stroke-closed", {{ResultQuantity::velocity, {{1}}}})};
   const auto rows = compare_swimmer({"r.json", 0, swimming(1, 2, 3, 0.9)}, references, {every, 0.05, 0});
   ASSERT_EQ(rows.size(), 1U);
-  EXPECT_EQ(rows[0].quantity, ComparedQuantity::velocity);
+  EXPECT_EQ(rows[0].quantity, ResultQuantity::velocity);
 }
 
 TEST(BestReference, FollowsTheOrderOfTrustAndNotOfTheFile) {
-  const ComparedValues known = swimming(1, 2, 3, 0.9);
+  const Results known = swimming(1, 2, 3, 0.9);
   const std::vector references{reference("oseen-force-closed", known), reference("rpy-perturbation", known),
                                reference("multipole-ode", known),
                                reference("inertia-corrected", known, false), reference("rpy-ode", known)};
@@ -208,11 +221,11 @@ TEST(BestReference, FollowsTheOrderOfTrustAndNotOfTheFile) {
 }
 
 TEST(BestReference, KnowsAllThatIsAsked) {
-  const std::vector references{reference("multipole-ode", {{ComparedQuantity::velocity, {1}}}),
+  const std::vector references{reference("multipole-ode", {{ResultQuantity::velocity, {{1}}}}),
                                reference("oseen-force-closed", swimming(1, 2, 3, 0.9)),
                                reference("rpy-stroke-printed", swimming(1, 2, 3, 0.9), false)};
   EXPECT_EQ(best_reference(references, every), 1U);
-  EXPECT_EQ(best_reference(references, std::vector{ComparedQuantity::velocity}), 0U);
+  EXPECT_EQ(best_reference(references, std::vector{ResultQuantity::velocity}), 0U);
   EXPECT_EQ(best_reference(std::span(references).last(1), every), std::nullopt);
 }
 

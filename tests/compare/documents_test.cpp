@@ -227,21 +227,6 @@ TEST(Units, AreTheSameOnlyInNameAndSize) {
   EXPECT_FALSE(same_units(si, other));
 }
 
-// A run whose error by resolution is 0.05 % and whose model is expected to be wrong by 18 % states 18 %.
-TEST(StatedErrors, ContainTheExpectedError) {
-  RunRecord record;
-  SwimmerRecord swimmer{.id = 0, .cycles = {CycleStatistics{}}, .period = {}};
-  swimmer.cycles.front().arm_amplitudes = {3, 4};
-  swimmer.uncertainty = SwimmerUncertainty{};
-  swimmer.uncertainty->velocity = {.resolution = 5e-4, .wander = 0, .transient = 0.03, .total = 0.03};
-  swimmer.uncertainty->arm_amplitudes.total = 1e-3;
-  EXPECT_EQ(stated_errors_of(record, swimmer, {}), uncertainties_of(swimmer, {}));
-  record.expected_error = ExpectedErrorRecord{.velocity = 0.18, .arm_amplitudes = {0.05, 0.06}};
-  const ComparedValues errors = stated_errors_of(record, swimmer, {});
-  EXPECT_DOUBLE_EQ(errors.at(ComparedQuantity::velocity).at(0), std::hypot(0.18, 0.03));
-  EXPECT_EQ(errors.at(ComparedQuantity::arm_amplitudes), std::vector({0.06, 0.06}));
-}
-
 TEST(MotionScaleOfARun, IsThatOfItsFastestBead) {
   RunRecord record;
   record.driving.period = 100;

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "beadswim/compare/swimming.hpp"
 #include "tolerances.hpp"
 
@@ -16,8 +14,6 @@ CycleStatistics some_cycle() {
   cycle.velocity = Vec3(5, 2, 0);
   cycle.mean_flow = Vec3(1, 1, 0);
   cycle.axis = Vec3(0.6, 0.8, 0);
-  cycle.arm_amplitudes = {2.5, 3.5};
-  cycle.arm_phases = {2.0, 0.5};
   return cycle;
 }
 
@@ -40,25 +36,10 @@ TEST(VelocityAgainstFluid, SubtractsTheFlowAlongPeriodicAxesAlone) {
                    0.6 * 4 + 0.8 * 2);
 }
 
-TEST(SwimmingIn, PhaseShiftIsThatOfArm1AgainstArm2) {
-  const ComparedValues swimming = evaluate_compared_values(some_cycle(), all_periodic);
-  EXPECT_DOUBLE_EQ(swimming.at(ComparedQuantity::sin_phase_shift)[0], std::sin(1.5));
-  EXPECT_EQ(swimming.at(ComparedQuantity::arm_amplitudes), (std::vector{2.5, 3.5}));
-}
-
-TEST(MeanSwimming, AveragesEachNumber) {
-  const std::vector<ComparedValues> cycles{
-      {{ComparedQuantity::velocity, {1}}, {ComparedQuantity::arm_amplitudes, {2, 10}}},
-      {{ComparedQuantity::velocity, {2}}, {ComparedQuantity::arm_amplitudes, {4, 30}}}};
-  const ComparedValues mean = average_compared_values(cycles);
-  EXPECT_DOUBLE_EQ(mean.at(ComparedQuantity::velocity)[0], 1.5);
-  EXPECT_EQ(mean.at(ComparedQuantity::arm_amplitudes), (std::vector{3.0, 20.0}));
-}
-
 TEST(QuantityNames, RoundTrip) {
-  for (const ComparedQuantity quantity : all_values<ComparedQuantity>)
-    EXPECT_EQ(value_named<ComparedQuantity>(to_text(quantity)), quantity);
-  EXPECT_EQ(value_named<ComparedQuantity>("speed"), std::nullopt);
+  for (const ResultQuantity quantity : all_values<ResultQuantity>)
+    EXPECT_EQ(value_named<ResultQuantity>(to_text(quantity)), quantity);
+  EXPECT_EQ(value_named<ResultQuantity>("speed"), std::nullopt);
 }
 
 }  // namespace

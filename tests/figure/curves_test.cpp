@@ -20,8 +20,8 @@ Curve curve_of(const std::vector<double>& y, std::vector<std::size_t> unusable =
 
 TEST(Curves, HaveOneColourOrEachItsOwn) {
   Panel own, one;
-  append_points_and_curves({{"a", {1}, {2}}, {"b", {1}, {3}}}, {curve_of({1, 2})}, std::nullopt, own);
-  append_points_and_curves({{"a", {1}, {2}}, {"b", {1}, {3}}}, {curve_of({1, 2})}, 5, one);
+  append_marks_and_curves({{"a", {{1, 2}}}, {"b", {{1, 3}}}}, {curve_of({1, 2})}, std::nullopt, own);
+  append_marks_and_curves({{"a", {{1, 2}}}, {"b", {{1, 3}}}}, {curve_of({1, 2})}, 5, one);
   ASSERT_EQ(own.series.size(), 3U);
   for (int s = 0; s < 3; ++s) {
     EXPECT_EQ(own.series[static_cast<std::size_t>(s)].colour, s);
@@ -32,7 +32,7 @@ TEST(Curves, HaveOneColourOrEachItsOwn) {
 
 TEST(Curves, AreMarkedPointByPointWhereThereAreFew) {
   Panel panel;
-  append_points_and_curves({}, {curve_of({1, 2}), curve_of(std::vector<double>(13, 1))}, std::nullopt, panel);
+  append_marks_and_curves({}, {curve_of({1, 2}), curve_of(std::vector<double>(13, 1))}, std::nullopt, panel);
   EXPECT_EQ(panel.series[0].mark, Mark::line_and_points);
   EXPECT_EQ(panel.series[1].mark, Mark::line);
 }
@@ -40,7 +40,7 @@ TEST(Curves, AreMarkedPointByPointWhereThereAreFew) {
 // The faint line must reach the usable neighbours, or the curve would have gaps.
 TEST(Curves, UnusablePointsAreFaintAndJoinTheUsable) {
   Panel panel;
-  append_points_and_curves({}, {curve_of({1, 2, 3, 4}, {2})}, std::nullopt, panel);
+  append_marks_and_curves({}, {curve_of({1, 2, 3, 4}, {2})}, std::nullopt, panel);
   ASSERT_EQ(panel.series.size(), 3U);
   EXPECT_EQ(panel.series[0].emphasis, Emphasis::faint);
   EXPECT_THAT(panel.series[0].y, ElementsAre(IsNan(), 2, 3, 4));
@@ -54,7 +54,7 @@ TEST(Curves, UnusablePointsAreASeriesOfTheirOwnInTheNumbers) {
   Curve curve = curve_of({1, 2, 3, 4}, {2});
   curve.points[1].error = 0.5;
   Figure figure{.title = "", .panels = {Panel{.x_label = {"x"}, .y_label = {"y"}}}};
-  append_points_and_curves({}, {curve}, std::nullopt, figure.panels[0]);
+  append_marks_and_curves({}, {curve}, std::nullopt, figure.panels[0]);
   EXPECT_EQ(figure_to_csv(figure),
             "y_name,y_unit,x_name,x_unit,series,x,y,y_error\n"
             "\"y\",\"\",\"x\",\"\",\"theory\",0,1,\n"

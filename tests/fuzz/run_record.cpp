@@ -1,4 +1,4 @@
-#include "beadswim/documents/swimming_document.hpp"
+#include "beadswim/documents/results.hpp"
 #include "documents_agree.hpp"
 
 // Fuzz target: run records, as beadswim-compare, beadswim-plot and beadswim-theory --stroke-from read them.
@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require_rewritten_alike(text_of(data, size), {"scene"}, [](const Json& json) {
     const RunRecord record = run_record_from_json(json, "run");
     for (const SwimmerRecord& swimmer : record.swimmers)
-      accepts([&] { swimming_of(record, swimmer, CycleChoice{}, "run"); });
+      accepts([&] { results_of(record, swimmer, CycleChoice{}, "run"); });
     return run_record_to_json(record, RecordProvenance::written);
   });
   return 0;

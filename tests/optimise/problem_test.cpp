@@ -28,15 +28,15 @@ TEST(FreeValue, EqualValuesOfSeveralQuantitiesAreInTheStudy) {
 
 Outcomes outcomes(double velocity, double power, double gap) {
   Outcomes all;
-  all[Outcome::velocity].value = velocity;
-  all[Outcome::power].value = power;
-  all[Outcome::gap].value = gap;
+  all[ResultQuantity::velocity].value = velocity;
+  all[ResultQuantity::power].value = power;
+  all[ResultQuantity::gap].value = gap;
   return all;
 }
 
 // A violation is relative to its bound; for the bound 0, relative to the outcome of the first layout.
 TEST(Problem, ViolationsHaveNoUnits) {
-  const Problem problem{.objective = Outcome::velocity,
+  const Problem problem{.objective = ResultQuantity::velocity,
                         .is_maximised = true,
                         .constraints = parse_constraints({"power=1:4", "gap=0:"})};
   EXPECT_EQ(problem.num_inequalities(), 3);
@@ -46,7 +46,7 @@ TEST(Problem, ViolationsHaveNoUnits) {
 }
 
 TEST(Problem, NamesTheOutcomeThatIsMissing) {
-  const Problem problem{.objective = Outcome::efficiency, .constraints = {}};
+  const Problem problem{.objective = ResultQuantity::efficiency, .constraints = {}};
   EXPECT_THROW(problem.require_outcomes(outcomes(1, 1, 1), "rpy-ode"), InputError);
 }
 

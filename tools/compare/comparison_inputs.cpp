@@ -7,6 +7,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
+#include "beadswim/documents/results.hpp"
 #include "beadswim/scene/units.hpp"
 
 namespace beadswim {
@@ -74,20 +75,19 @@ std::vector<Reference> references_for(int swimmer, const SourceDocument& file, c
     return {Reference{.source = file.source,
                       .method = "run",
                       .usable = true,
-                      .swimming = swimming_of(*run, record, cycle, file.source),
-                      .uncertainties = uncertainties_of(record, cycle),
+                      .results = results_of(*run, record, cycle, file.source, RunUncertainty::of_cycle),
                       .numerical_error = motion_scale_of(*run, record, cycle, file.source).numerical_error,
                       .axis = select_cycles(record.cycles, cycle, file.source).back().axis}};
   }
   std::vector<Reference> references;
   const auto& document = std::get<PredictionDocument>(file.document);
   if (document.swimmer != swimmer) return references;
+  const Layout* scene = document.scene ? &*document.scene : nullptr;
   for (const Prediction& prediction : document.predictions) {
     references.push_back({.source = file.source,
                           .method = prediction.method,
                           .usable = prediction.usable,
-                          .swimming = swimming_of(prediction),
-                          .uncertainties = uncertainties_of(prediction),
+                          .results = results_of(prediction, scene, swimmer),
                           .numerical_error = number_setting(prediction, "numerical_error").value_or(0),
                           .axis = predicted_axis(document, prediction)});
   }
@@ -151,16 +151,16 @@ void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const Compar
   std::vector<RunSwimmer> in_runs;
   for (const RunFile& run : inputs.runs) {
     const SwimmerRecord& swimmer = find_swimmer(run.record, id, run.source);
-    in_runs.push_back({.source = run.source,
-                       .id = id,
-                       .swimming = swimming_of(run.record, swimmer, request.cycle, run.source),
-                       .uncertainties = uncertainties_of(swimmer, request.cycle),
-                       .scale = motion_scale_of(run.record, swimmer, request.cycle, run.source),
-                       .axis = select_cycles(swimmer.cycles, request.cycle, run.source).back().axis});
+    in_runs.push_back(
+        {.source = run.source,
+         .id = id,
+         .results = results_of(run.record, swimmer, request.cycle, run.source, RunUncertainty::of_cycle),
+         .scale = motion_scale_of(run.record, swimmer, request.cycle, run.source),
+         .axis = select_cycles(swimmer.cycles, request.cycle, run.source).back().axis});
   }
   // A swimmer with fewer than two bonds has no phase shift.
   std::erase_if(request.quantities,
-                [&](ComparedQuantity quantity) { return !in_runs.front().swimming.contains(quantity); });
+                [&](ResultQuantity quantity) { return !in_runs.front().results.contains(quantity); });
   if (request.quantities.empty())
     throw InputError(in_runs.front().source, fmt::format("swimmer {} has none of the compared quantities "
                                                          "(arm amplitudes need one arm, a phase shift two); "

@@ -19,7 +19,7 @@ struct ComparisonRequest {
   std::vector<std::string> files;               ///< run records; the last file is the reference
   std::vector<std::string> further_references;  ///< compared in addition to the reference
   std::optional<std::string> method;            ///< method of the verdict; nullopt: best_reference()
-  std::vector<ComparedQuantity> quantities;
+  std::vector<ResultQuantity> quantities;
   double tolerance = 0;  ///< largest accepted |relative error|
   CycleChoice cycle;
   std::vector<std::string> allowed_differences;  ///< properties in which run and reference may differ

@@ -39,8 +39,8 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
   request.quantities.assign(default_quantities.begin(), default_quantities.end());
   add_choices(
       program, "--quantity", request.quantities,
-      "Quantities to compare, also angular_velocity, without its direction; velocity: along the axis, minus "
-      "the mean flow");
+      "Results to compare, of those that beadswim-plot against draws; velocity: along the axis, minus the "
+      "mean flow");
   program
       .add_option("--tolerance", request.tolerance,
                   "Largest relative error between run and reference with which a run passes, below 1; 0.05 "

@@ -13,17 +13,9 @@ namespace beadswim {
 namespace {
 
 std::string quantity_text(const ComparisonRow& row) {
-  switch (row.quantity) {
-    case ComparedQuantity::velocity:
-      return "velocity";
-    case ComparedQuantity::arm_amplitudes:
-      return fmt::format("arm amplitude d{}", row.arm.value());
-    case ComparedQuantity::sin_phase_shift:
-      return "sin(delta1 - delta2)";
-    case ComparedQuantity::angular_velocity:
-      return "angular velocity";
-  }
-  return {};
+  const auto& [quantity, name, dimension, label, symbol, is_per_arm] = row_of(row.quantity);
+  if (is_per_arm) return fmt::format("{} {}{}", label, symbol, row.arm.value_or(1));
+  return std::string(symbol.empty() ? label : symbol);
 }
 
 /// Returns the text of a row's verdict. It is in brackets if the row does not affect the verdict of the whole

@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <span>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
@@ -18,36 +16,6 @@
 namespace beadswim {
 namespace {
 
-/// Returns the smallest gap between the surfaces of the two beads of an arm, whose length is mean + d cos(w t
-/// + delta): mean - d - a_1 - a_2.
-double smallest_arm_gap(const SwimmerType& type, std::span<const double> means,
-                        std::span<const double> amplitudes) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t arm = 0; arm < type.bonds.size(); ++arm) {
-    const auto& [first, second] = type.bonds[arm].beads;
-    const double radii = type.beads[static_cast<std::size_t>(first)].radius +
-                         type.beads[static_cast<std::size_t>(second)].radius;
-    smallest = std::min(smallest, means[arm] - amplitudes[arm] - radii);
-  }
-  return smallest;
-}
-
-std::vector<double> rest_lengths(const SwimmerType& type) {
-  std::vector<double> lengths;
-  for (const Bond& bond : type.bonds) lengths.push_back(bond.rest_length);
-  return lengths;
-}
-
-constexpr std::array<std::pair<Outcome, StudyResult>, 4> results{
-    {{Outcome::velocity, StudyResult::velocity},
-     {Outcome::angular_velocity, StudyResult::angular_velocity},
-     {Outcome::efficiency, StudyResult::efficiency},
-     {Outcome::power, StudyResult::power}}};
-
-const Swimmer& swimmer_with(const Layout& layout, int id) {
-  return *std::ranges::find(layout.swimmers, id, &Swimmer::id);
-}
-
 class TheoryEvaluator : public Evaluator {
  public:
   TheoryEvaluator(const std::string& method, const EvaluatorSettings& settings) {
@@ -57,17 +25,7 @@ class TheoryEvaluator : public Evaluator {
 
   Outcomes evaluate(const LayoutDocument& document, const std::string& source) const override {
     const PredictionDocument predicted = predict_layout(document, source, request_, std::nullopt);
-    const Prediction& prediction = predicted.predictions.front();
-    Outcomes outcomes;
-    for (const auto& [outcome, result] : results)
-      for (const ResultValue& value : results_of(prediction, result)) outcomes[outcome] = value;
-    const SwimmerType type = document.layout.resolved_type(swimmer_with(document.layout, predicted.swimmer));
-    const std::vector<double> means = prediction.arm_means.value_or(rest_lengths(type));
-    const std::vector<double>& amplitudes = prediction.stroke.amplitude;
-    const std::size_t arms = type.bonds.size();
-    if (arms > 0 && means.size() == arms && amplitudes.size() == arms)
-      outcomes[Outcome::gap].value = smallest_arm_gap(type, means, amplitudes);
-    return outcomes;
+    return outcomes_of(results_of(predicted.predictions.front(), &document.layout, predicted.swimmer));
   }
 
  private:
@@ -85,9 +43,9 @@ class ModelEvaluator : public Evaluator {
     const RunRecord record = record_of(document, source);
     Outcomes sum;
     const std::vector<const SwimmerRecord*> swimmers = chosen(record, source);
-    for (const SwimmerRecord* swimmer : swimmers) add(record, *swimmer, document.layout, source, sum);
-    for (auto& [outcome, value] : sum) {
-      if (outcome == Outcome::gap) continue;
+    for (const SwimmerRecord* swimmer : swimmers) add(record, *swimmer, source, sum);
+    for (auto& [quantity, value] : sum) {
+      if (quantity == ResultQuantity::gap) continue;
       value.value /= static_cast<double>(swimmers.size());
       value.error /= static_cast<double>(swimmers.size());
     }
@@ -129,22 +87,15 @@ class ModelEvaluator : public Evaluator {
   }
 
   /// Adds the outcomes of one swimmer; the gap is that of the swimmer with the smallest.
-  static void add(const RunRecord& record, const SwimmerRecord& swimmer, const Layout& layout,
-                  const std::string& source, Outcomes& sum) {
-    const CycleChoice last{};
-    for (const auto& [outcome, result] : results) {
-      for (const ResultValue& value : results_of(record, swimmer, result, last, source)) {
-        sum[outcome].value += value.value;
-        sum[outcome].error += value.error;
-      }
+  static void add(const RunRecord& record, const SwimmerRecord& swimmer, const std::string& source,
+                  Outcomes& sum) {
+    for (const auto& [quantity, outcome] : outcomes_of(results_of(record, swimmer, {}, source))) {
+      const auto [found, is_first] = sum.try_emplace(quantity, outcome);
+      if (is_first) continue;
+      double& value = found->second.value;
+      value = quantity == ResultQuantity::gap ? std::min(value, outcome.value) : value + outcome.value;
+      found->second.error += outcome.error;
     }
-    const CycleStatistics& cycle = select_cycles(swimmer.cycles, last, source).front();
-    if (cycle.arm_means.empty()) return;
-    const double gap = smallest_arm_gap(layout.resolved_type(swimmer_with(layout, swimmer.id)),
-                                        cycle.arm_means, cycle.arm_amplitudes);
-    const bool is_first = !sum.contains(Outcome::gap);
-    double& smallest = sum[Outcome::gap].value;
-    smallest = is_first ? gap : std::min(smallest, gap);
   }
 
   Communicator communicator_{MPI_COMM_SELF};
@@ -153,6 +104,14 @@ class ModelEvaluator : public Evaluator {
 };
 
 }  // namespace
+
+Outcomes outcomes_of(const Results& results) {
+  Outcomes outcomes;
+  for (const auto& [quantity, value] : results)
+    if (!row_of(quantity).is_per_arm)
+      outcomes[quantity] = {.value = value.numbers.front(), .error = value.error(0)};
+  return outcomes;
+}
 
 std::unique_ptr<Evaluator> theory_evaluator(const std::string& name, const std::string& flag,
                                             const std::vector<std::string>& others,

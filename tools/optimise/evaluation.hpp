@@ -1,38 +1,34 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "beadswim/core/names.hpp"
 #include "beadswim/documents/layout_document.hpp"
-#include "beadswim/documents/study_result.hpp"
+#include "beadswim/documents/results.hpp"
 
 // Velocity, power and other outcomes of a layout, by a theory method or by a model.
 
 namespace beadswim {
 
-/// Quantities that are searched or limited.
-enum class Outcome {
-  velocity,          ///< along the axis of the swimmer, relative to the mean flow [length/time]
-  angular_velocity,  ///< its size [radian/time]
-  efficiency,        ///< Lighthill efficiency
-  power,             ///< mean power of the drives [mass length^2/time^3]
-  gap,               ///< smallest gap between the two beads of an arm during a stroke [length]
+/// Value of a result with one number, and its absolute uncertainty; 0 if none is stated.
+struct Outcome {
+  double value = 0, error = 0;
 };
 
-template <>
-inline constexpr auto name_table<Outcome> =
-    std::to_array<NamedValue<Outcome>>({{Outcome::velocity, "velocity"},
-                                        {Outcome::angular_velocity, "angular_velocity"},
-                                        {Outcome::efficiency, "efficiency"},
-                                        {Outcome::power, "power"},
-                                        {Outcome::gap, "gap"}});
+/// Outcomes that the method or the model gives.
+using Outcomes = std::map<ResultQuantity, Outcome>;
 
-/// Outcomes that the method or the model gives, with the uncertainties that it states.
-using Outcomes = std::map<Outcome, ResultValue>;
+/// Returns the results that have one number, which can be searched or limited.
+Outcomes outcomes_of(const Results& results);
+
+/// Outcomes of which a trace states all, and messages those that a method or model gives.
+inline constexpr std::array usual_outcomes{ResultQuantity::velocity, ResultQuantity::angular_velocity,
+                                           ResultQuantity::efficiency, ResultQuantity::power,
+                                           ResultQuantity::gap};
 
 /// Evaluates layouts by one theory method or one model.
 class Evaluator {

@@ -23,7 +23,7 @@ namespace {
 
 struct Flags {
   std::vector<std::string> files{"-"}, free, constraints;
-  std::optional<Outcome> maximise, minimise;
+  std::optional<ResultQuantity> maximise, minimise;
   std::string method = "rpy-ode", model, verify_by, trace;
   std::optional<int> evaluations;
   int seed = 1;
@@ -35,11 +35,6 @@ int default_evaluations(int dimensions) {
   return dimensions == 1 ? 100 : 200 * dimensions;
 }
 
-/// Objectives are all outcomes but the gap.
-std::vector<std::string> objectives() {
-  return {"velocity", "angular_velocity", "efficiency", "power"};
-}
-
 std::vector<std::string> mobility_models() {
   std::vector<std::string> names;
   for (const auto& [model, name] : name_table<RunModel>)
@@ -47,10 +42,10 @@ std::vector<std::string> mobility_models() {
   return names;
 }
 
-void add_objective(CLI::App& program, const std::string& flag, std::optional<Outcome>& objective,
+void add_objective(CLI::App& program, const std::string& flag, std::optional<ResultQuantity>& objective,
                    const std::string& help) {
-  add_word(program, flag, objectives(), "", help,
-           [&objective](const std::string& word) { objective = from_text<Outcome>(word); });
+  add_word(program, flag, outcome_names(), "", help,
+           [&objective](const std::string& word) { objective = from_text<ResultQuantity>(word); });
 }
 
 std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
@@ -75,8 +70,7 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
   program
       ->add_option(
           "--subject-to", flags.constraints,
-          "A limit of velocity, angular_velocity, efficiency, power, or of gap, the smallest between "
-          "the beads of an arm. Repeatable")
+          "A limit of one of these results; gap: the smallest between the beads of an arm. Repeatable")
       ->type_name("NAME=[MIN]:[MAX]")
       ->default_str("none")
       ->allow_extra_args(false);

@@ -18,12 +18,12 @@ void say(const std::string& text) {
   print_to_stderr(fmt::format("{}: {}\n", optimise_name, text));
 }
 
-/// Adds all outcomes to a line of the trace; those that are missing or not finite are null.
-void append_outcomes(const Outcomes& outcomes, Json& line) {
-  for (const auto& [outcome, name] : name_table<Outcome>) {
+/// Adds the outcomes `stated` to a line of the trace; those that are missing or not finite are null.
+void append_outcomes(const Outcomes& outcomes, const std::vector<ResultQuantity>& stated, Json& line) {
+  for (const ResultQuantity outcome : stated) {
     const auto found = outcomes.find(outcome);
     const bool is_known = found != outcomes.end() && std::isfinite(found->second.value);
-    line[name] = is_known ? Json(found->second.value) : Json();
+    line[to_text(outcome)] = is_known ? Json(found->second.value) : Json();
   }
 }
 
@@ -42,8 +42,8 @@ void remove_earlier_results(const std::vector<FreeValue>& free, Json& layout) {
       for (const char* end : {"", "_from", "_to"}) study.erase(name + end);
   const Json former = study;
   for (const auto& [key, value] : former.items())
-    for (const auto& [outcome, name] : name_table<Outcome>)
-      if (key == name || key.starts_with(std::string(name) + "_by_")) study.erase(key);
+    for (const std::string& name : outcome_names())
+      if (key == name || key.starts_with(name + "_by_")) study.erase(key);
   if (study.empty()) layout.erase("study");
 }
 
@@ -203,7 +203,7 @@ Trial Optimisation::evaluate(const Position& position, const std::string& stage)
 void Optimisation::record(const std::string& stage, const Json& study, const Outcomes& outcomes,
                           const std::string& reason) {
   Json line{{"layout", member_.number}, {"stage", stage}, {"evaluation", ++recorded_}, {"study", study}};
-  append_outcomes(outcomes, line);
+  append_outcomes(outcomes, problem_.stated_outcomes(), line);
   line["feasible"] = reason.empty() ? Json(problem_.trial_of(outcomes, *typical_).is_feasible()) : Json();
   line["reason"] = reason.empty() ? Json() : Json(reason);
   append(trace_, dump_json_line(line));
@@ -249,14 +249,14 @@ void Optimisation::find_ranges(SearchResult& found) {
 
 void Optimisation::report(const SearchResult& found) const {
   const std::string objective = to_text(problem_.objective);
-  const ResultValue& value = outcomes_.at(problem_.objective);
+  const Outcome& value = outcomes_.at(problem_.objective);
   say(fmt::format("{}: {} {:.6g}{}{}, after {} evaluations by {}, then {}", member_.source, objective,
                   value.value, value.error > 0 ? fmt::format(" ± {:.2g}", value.error) : "",
                   given_ ? fmt::format(" ({:.6g} as given)", given_->at(problem_.objective).value) : "",
                   found.evaluations, found.global, found.local));
   if (!found.has_converged)
     say("warning: the search ended at its largest number of evaluations; more --evaluations can find more");
-  if (const auto gap = outcomes_.find(Outcome::gap); gap != outcomes_.end() && gap->second.value <= 0)
+  if (const auto gap = outcomes_.find(ResultQuantity::gap); gap != outcomes_.end() && gap->second.value <= 0)
     say(fmt::format("warning: beads of an arm overlap in their stroke (gap {:.3g}); add --subject-to gap=0:",
                     gap->second.value));
   report_constraints(outcomes_, "");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -52,11 +53,11 @@ void append_violations(const Constraint& constraint, double value, double typica
 Constraint parse_constraint(const std::string& text) {
   const NamedRange range =
       named_range(text, constraint_flag, "NAME=:MAX, NAME=MIN: or NAME=MIN:MAX, such as power=:0.001");
-  const auto outcome = value_named<Outcome>(range.name);
-  if (!outcome)
+  const std::vector<std::string> names = outcome_names();
+  if (std::ranges::find(names, range.name) == names.end())
     throw InputError(constraint_flag,
-                     fmt::format("\"{}\": {}", text, format_unknown_name(range.name, all_names<Outcome>())));
-  Constraint constraint{.outcome = *outcome};
+                     fmt::format("\"{}\": {}", text, format_unknown_name(range.name, names)));
+  Constraint constraint{.outcome = from_text<ResultQuantity>(range.name)};
   if (range.low.empty() && range.high.empty())
     throw InputError(constraint_flag,
                      fmt::format("\"{}\": a number is missing before or after the colon", text));
@@ -121,6 +122,23 @@ std::vector<Constraint> parse_constraints(const std::vector<std::string>& texts)
   return constraints;
 }
 
+std::vector<std::string> outcome_names() {
+  std::vector<std::string> names;
+  for (const ResultRow& row : result_rows)
+    if (!row.is_per_arm) names.emplace_back(row.name);
+  return names;
+}
+
+std::vector<ResultQuantity> Problem::stated_outcomes() const {
+  std::vector<ResultQuantity> stated(usual_outcomes.begin(), usual_outcomes.end());
+  const auto add = [&](ResultQuantity outcome) {
+    if (std::ranges::find(stated, outcome) == stated.end()) stated.push_back(outcome);
+  };
+  add(objective);
+  for (const Constraint& constraint : constraints) add(constraint.outcome);
+  return stated;
+}
+
 int Problem::num_inequalities() const {
   int sides = 0;
   for (const Constraint& constraint : constraints)
@@ -140,8 +158,9 @@ Trial Problem::trial_of(const Outcomes& outcomes, const Outcomes& typical) const
 
 void Problem::require_outcomes(const Outcomes& outcomes, const std::string& evaluator) const {
   std::vector<std::string> given;
-  for (const auto& [outcome, value] : outcomes) given.emplace_back(to_text(outcome));
-  const auto require = [&](Outcome outcome, const char* flag) {
+  for (const ResultQuantity outcome : stated_outcomes())
+    if (outcomes.contains(outcome)) given.emplace_back(to_text(outcome));
+  const auto require = [&](ResultQuantity outcome, const char* flag) {
     if (outcomes.contains(outcome)) return;
     throw InputError(flag, fmt::format("{} gives no {} for this layout; it gives {}", evaluator,
                                        to_text(outcome), fmt::join(given, ", ")));

@@ -32,9 +32,12 @@ std::vector<FreeValue> parse_free_values(const std::vector<std::string>& texts);
 /// Returns the values at a position in the unit cube.
 StudyPoint study_point(const std::vector<FreeValue>& free, const Position& position);
 
+/// Names of the quantities that have one number.
+std::vector<std::string> outcome_names();
+
 /// Range that an outcome must not leave.
 struct Constraint {
-  Outcome outcome{};
+  ResultQuantity outcome{};
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 };
 
@@ -43,7 +46,7 @@ std::vector<Constraint> parse_constraints(const std::vector<std::string>& texts)
 
 /// Objective, which is to be large or small, and constraints.
 struct Problem {
-  Outcome objective{};
+  ResultQuantity objective{};
   bool is_maximised = true;
   std::vector<Constraint> constraints;
 
@@ -55,6 +58,9 @@ struct Problem {
   /// Throws InputError if the outcomes lack the objective or a limited one. `evaluator`: name of the method
   /// or model.
   void require_outcomes(const Outcomes& outcomes, const std::string& evaluator) const;
+
+  /// Returns the outcomes that the trace and messages state: usual_outcomes and those of the problem.
+  std::vector<ResultQuantity> stated_outcomes() const;
 
   const char* flag() const { return is_maximised ? "--maximise" : "--minimise"; }
 };

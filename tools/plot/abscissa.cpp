@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/nearest_name.hpp"
 #include "beadswim/scene/units.hpp"
 
 namespace beadswim {
@@ -35,26 +35,38 @@ double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const 
 
 /// Returns the ratio A/B of the driving amplitudes or the driving phase α; nullopt if the record contains no
 /// driving amplitudes. For B = 0, A/B is infinite and is not drawn.
-std::optional<double> driving_number(const RunRecord& run, Abscissa abscissa) {
+std::optional<double> driving_number(const RunRecord& run, AbscissaKind kind) {
   if (!run.driving.amplitude) return std::nullopt;
   const auto& [A, B] = *run.driving.amplitude;
-  return abscissa == Abscissa::phase ? run.driving.phase : A / B;
+  return kind == AbscissaKind::phase ? run.driving.phase : A / B;
 }
 
 }  // namespace
 
-AxisLabel axis_label(Abscissa abscissa, const Units& units) {
-  switch (abscissa) {
-    case Abscissa::period:
+AxisLabel study_label(const std::string& name, const Units& units) {
+  if (name == "period") return {name, time_unit(units)};
+  if (name == "radius" || name == "arm") return {name, length_unit(units)};
+  return {name, name == "phase" ? "rad" : ""};
+}
+
+AxisLabel result_label(ResultQuantity quantity, const Units& units) {
+  return {std::string(row_of(quantity).label), unit_of(quantity, units)};
+}
+
+AxisLabel axis_label(const Abscissa& abscissa, const Units& units) {
+  switch (abscissa.kind) {
+    case AbscissaKind::period:
       return {"period T", time_unit(units)};
-    case Abscissa::separation_ratio:
+    case AbscissaKind::separation_ratio:
       return {"separation of neighbouring beads over their radius, l/λ"};
-    case Abscissa::amplitude_ratio:
+    case AbscissaKind::amplitude_ratio:
       return {"ratio of the driving amplitudes, A/B"};
-    case Abscissa::phase:
+    case AbscissaKind::phase:
       return {"phase of the driving, α", "rad"};
+    case AbscissaKind::study:
+      break;
   }
-  return {};
+  return study_label(abscissa.study, units);
 }
 
 std::optional<std::string> text_setting(const Prediction& prediction, const std::string& key) {
@@ -64,39 +76,55 @@ std::optional<std::string> text_setting(const Prediction& prediction, const std:
   return std::nullopt;
 }
 
-double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa) {
-  const auto value = number_setting(plotted.prediction, to_text(abscissa));
-  if (value) return *value;
-  const std::string hint = abscissa == Abscissa::amplitude_ratio ? " (it is left out where B = 0)" : "";
+Json study_value(const Json& study, const std::string& name, const std::string& source,
+                 const std::string& flag) {
+  if (study.is_object() && study.contains(name)) return study[name];
+  std::vector<std::string> names;
+  for (const auto& [each, value] : study.items()) names.push_back(each);
+  throw InputError(
+      flag,
+      names.empty()
+          ? fmt::format("{} belongs to no study; make its layout with beadswim-layout vary", source)
+          : fmt::format("\"{}\" is not varied in {}: {}", name, source, format_unknown_name(name, names)));
+}
+
+double number_in_study(const Json& study, const std::string& name, const std::string& source,
+                       const std::string& flag) {
+  const Json value = study_value(study, name, source, flag);
+  if (value.is_number()) return value.get<double>();
+  throw InputError(flag, fmt::format("\"{}\" is the word {} in {}, not a number; use it with --group-by",
+                                     name, value.dump(), source));
+}
+
+double abscissa_of(const PlottedPrediction& plotted, const Abscissa& abscissa) {
+  if (abscissa.kind == AbscissaKind::study)
+    return number_in_study(plotted.study, abscissa.study, plotted.source, "--x");
+  const std::string key = to_text(abscissa.kind);
+  if (const auto value = number_setting(plotted.prediction, key)) return *value;
+  const std::string hint =
+      abscissa.kind == AbscissaKind::amplitude_ratio ? " (it is left out where B = 0)" : "";
   throw InputError(plotted.source,
                    fmt::format("the prediction by {} lacks the setting \"{}\", which is the abscissa of the "
                                "figure{}; leave the prediction out, or predict again with beadswim-theory",
-                               plotted.prediction.method, to_text(abscissa), hint));
+                               plotted.prediction.method, key, hint));
 }
 
-double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa abscissa,
+double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, const Abscissa& abscissa,
                    const CycleChoice& cycle) {
-  if (abscissa == Abscissa::period) return run.record.driving.period;
-  if (abscissa == Abscissa::separation_ratio) return separation_of(run, swimmer, cycle);
-  if (const auto number = driving_number(run.record, abscissa)) return *number;
+  switch (abscissa.kind) {
+    case AbscissaKind::study:
+      return number_in_study(study_of(run), abscissa.study, run.source, "--x");
+    case AbscissaKind::period:
+      return run.record.driving.period;
+    case AbscissaKind::separation_ratio:
+      return separation_of(run, swimmer, cycle);
+    default:
+      break;
+  }
+  if (const auto number = driving_number(run.record, abscissa.kind)) return *number;
   throw InputError(run.source, fmt::format("the run record lacks the {}, the abscissa of the figure; leave "
                                            "the run out, or draw the figure with --against cycle",
                                            axis_label(abscissa, run.record.units).quantity));
-}
-
-std::vector<MethodPredictions> predictions_by_method(const PlotInputs& inputs, Abscissa abscissa) {
-  std::vector<PlacedPrediction> sorted;
-  for (const PlottedPrediction& plotted : inputs.predictions) {
-    sorted.push_back({abscissa_of(plotted, abscissa), plotted});
-  }
-  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
-  std::vector<MethodPredictions> all;
-  for (const std::string& method : inputs.methods) {
-    all.push_back({method, {}});
-    std::copy_if(sorted.begin(), sorted.end(), std::back_inserter(all.back().predictions),
-                 [&](const PlacedPrediction& placed) { return placed.plotted.prediction.method == method; });
-  }
-  return all;
 }
 
 }  // namespace beadswim

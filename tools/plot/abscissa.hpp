@@ -11,49 +11,52 @@
 
 namespace beadswim {
 
-enum class Abscissa {
+enum class AbscissaKind {
   period,            ///< driving period T [time]
   separation_ratio,  ///< separation ratio l/λ
   amplitude_ratio,   ///< ratio A/B of the driving amplitudes
   phase,             ///< driving phase α [rad]
+  study,             ///< quantity that beadswim-layout vary has varied
 };
 
-/// Keys under which the settings of a prediction contain these quantities.
+/// All but the last are the keys under which the settings of a prediction contain these quantities.
 template <>
-inline constexpr auto name_table<Abscissa> =
-    std::to_array<NamedValue<Abscissa>>({{Abscissa::period, "period"},
-                                         {Abscissa::separation_ratio, "separation_ratio"},
-                                         {Abscissa::amplitude_ratio, "amplitude_ratio"},
-                                         {Abscissa::phase, "phase"}});
+inline constexpr auto name_table<AbscissaKind> =
+    std::to_array<NamedValue<AbscissaKind>>({{AbscissaKind::period, "period"},
+                                             {AbscissaKind::separation_ratio, "separation_ratio"},
+                                             {AbscissaKind::amplitude_ratio, "amplitude_ratio"},
+                                             {AbscissaKind::phase, "phase"},
+                                             {AbscissaKind::study, "study"}});
 
-AxisLabel axis_label(Abscissa abscissa, const Units& units);
+struct Abscissa {
+  AbscissaKind kind = AbscissaKind::study;
+  std::string study{};  ///< name of the quantity of the study
+};
+
+AxisLabel axis_label(const Abscissa& abscissa, const Units& units);
+AxisLabel result_label(ResultQuantity quantity, const Units& units);
+/// Returns the label of a quantity of the study.
+AxisLabel study_label(const std::string& name, const Units& units);
 
 /// Returns the text with this key in the settings of a prediction; nullopt if there is none.
 std::optional<std::string> text_setting(const Prediction& prediction, const std::string& key);
 
-/// Returns the value on the horizontal axis for a prediction. Throws InputError if the settings of the
-/// prediction do not contain this quantity.
-double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa);
+/// Returns the value of a quantity of a study. Throws InputError if the document has no such quantity.
+/// `flag`: flag that names the quantity, for the message.
+Json study_value(const Json& study, const std::string& name, const std::string& source,
+                 const std::string& flag);
+/// As above for a number; throws InputError for a word.
+double number_in_study(const Json& study, const std::string& name, const std::string& source,
+                       const std::string& flag);
+
+/// Returns the value on the horizontal axis for a prediction. Throws InputError if its settings, or its
+/// study, do not contain this quantity.
+double abscissa_of(const PlottedPrediction& plotted, const Abscissa& abscissa);
 
 /// Returns the value on the horizontal axis for a swimmer in a run. The separation ratio is the smaller mean
 /// arm length in the chosen cycles, divided by the smallest bead radius. Throws InputError if the run record
-/// does not contain the quantity. Records of models without a lattice do not contain the bead radius.
-double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa abscissa,
+/// does not contain the quantity.
+double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, const Abscissa& abscissa,
                    const CycleChoice& cycle);
-
-struct PlacedPrediction {
-  double x = 0;  ///< abscissa
-  PlottedPrediction plotted;
-};
-
-/// Predictions by one method, sorted by the value on the horizontal axis.
-struct MethodPredictions {
-  std::string method;
-  std::vector<PlacedPrediction> predictions;
-};
-
-/// Returns the predictions of each method in inputs.methods, in this order. Throws InputError if the settings
-/// of a prediction do not contain the quantity on the horizontal axis.
-std::vector<MethodPredictions> predictions_by_method(const PlotInputs& inputs, Abscissa abscissa);
 
 }  // namespace beadswim

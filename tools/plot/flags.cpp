@@ -5,10 +5,6 @@
 namespace beadswim {
 namespace {
 
-CLI::Validator id_or_frame_number() {
-  return whole_number(0, 999999999);
-}
-
 CLI::Validator last_or_whole_number() {
   const auto fault = [](const std::string& text) {
     return text == "last" || id_or_frame_number()(text).empty()
@@ -30,30 +26,35 @@ SwimmerMark parse_mark(const std::string& text) {
 
 }  // namespace
 
-void add_methods(CLI::App& command, std::vector<std::string>& methods) {
+CLI::Validator id_or_frame_number() {
+  return whole_number(0, 999999999);
+}
+
+void add_result_flags(CLI::App& command, ResultFlags& flags) {
   command
-      .add_option("--method", methods, "Theory methods whose predictions are drawn, in this order, or all")
+      .add_option("--method", flags.methods.methods,
+                  "Theory methods whose predictions are drawn, in this order, or all")
       ->type_name("NAME,...")
       ->delimiter(',')
       ->default_str("the best usable method");
-}
-
-void add_cycle(CLI::App& command, std::string& cycle) {
   command
-      .add_option("--cycle", cycle,
+      .add_option("--cycle", flags.cycle,
                   "Driving cycle of each run that is drawn: the last, cycle number N (the first is 1), or "
                   "the mean over the last N cycles")
       ->type_name("last|N|mean:N");
 }
 
 CLI::Option* add_whole_numbers(CLI::App& command, const std::string& flag, std::vector<int>& numbers,
-                               const std::string& unless_given, const std::string& help) {
+                               const CLI::Validator& check, const std::string& help) {
   return command
       .add_option_function<std::string>(
           flag, [&numbers](const std::string& text) { numbers = parse_whole_numbers(text); }, help)
-      ->type_name("ID,...")
-      ->check(number_list({}, id_or_frame_number()))
-      ->default_str(unless_given);
+      ->check(check);
+}
+
+CLI::Option* add_swimmers(CLI::App& command, std::vector<int>& ids, const std::string& help) {
+  return add_whole_numbers(command, "--swimmers", ids, number_list({}, id_or_frame_number()), help)
+      ->type_name("ID,...");
 }
 
 void add_frame(CLI::App& command, std::optional<std::size_t>& frame) {

@@ -16,7 +16,7 @@ namespace {
 /// Reads measurements of beadswim-bench. Throws InputError if the file does not contain measurements of
 /// mobility products.
 Json read_products(const std::string& path) {
-  const std::string source = path == "-" ? "standard input" : path;
+  const std::string source = source_name(path);
   const Json document = parse_json(read_text(path), source);
   validate_json(document, "bench", source);
   if (!document.contains("mobility_products"))

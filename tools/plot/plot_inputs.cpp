@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "beadswim/compare/comparison.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/documents/failure_document.hpp"
@@ -20,17 +21,7 @@ using Names = std::vector<std::string>;
 constexpr const char* all_methods = "all";
 
 bool contains(const Names& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-void require_same_units(const std::vector<SourceDocument>& documents) {
-  const SourceDocument& first = documents.front();
-  for (const SourceDocument& other : documents) {
-    if (same_units(units_of(first.document), units_of(other.document))) continue;
-    throw InputError(other.source, fmt::format("the units of this file differ from the units of {}; all "
-                                               "files of a figure must have the same units",
-                                               first.source));
-  }
+  return std::ranges::find(names, name) != names.end();
 }
 
 /// Returns the usable prediction with the best method, in the order of preference of beadswim-compare.
@@ -40,7 +31,7 @@ Prediction best_prediction(const PredictionDocument& document, const std::string
     references.push_back({.source = source,
                           .method = prediction.method,
                           .usable = prediction.usable,
-                          .swimming = swimming_of(prediction)});
+                          .results = results_of(prediction, nullptr, document.swimmer)});
   }
   const auto best = best_reference(references, default_quantities);
   if (!best)
@@ -69,24 +60,16 @@ void append_named(const PredictionDocument& document, const std::string& source,
   }
 }
 
-/// Returns the names of all methods, in the order of their first predictions.
-Names methods_of(const std::vector<PlottedPrediction>& predictions) {
-  Names methods;
-  for (const PlottedPrediction& plotted : predictions) {
-    if (!contains(methods, plotted.prediction.method)) methods.push_back(plotted.prediction.method);
-  }
-  return methods;
+/// Adds the method of a prediction to the names, which are in the order of first predictions.
+void add_method(const Prediction& prediction, Names& methods) {
+  if (!contains(methods, prediction.method)) methods.push_back(prediction.method);
 }
 
 Names methods_in(const std::vector<SourceDocument>& documents) {
   Names methods;
-  for (const SourceDocument& file : documents) {
-    const auto* document = std::get_if<PredictionDocument>(&file.document);
-    if (document == nullptr) continue;
-    for (const Prediction& prediction : document->predictions) {
-      if (!contains(methods, prediction.method)) methods.push_back(prediction.method);
-    }
-  }
+  for (const SourceDocument& file : documents)
+    if (const auto* document = std::get_if<PredictionDocument>(&file.document))
+      for (const Prediction& prediction : document->predictions) add_method(prediction, methods);
   return methods;
 }
 
@@ -163,6 +146,19 @@ void append(const PredictionDocument& document, const std::string& source, const
 
 }  // namespace
 
+void require_same_units(const Units& units, const std::string& source, const Units& first,
+                        const std::string& first_source) {
+  if (same_units(units, first)) return;
+  throw InputError(source, fmt::format("the units of this file differ from the units of {}; all files of a "
+                                       "figure must have the same units",
+                                       first_source));
+}
+
+std::string only_file(const std::vector<std::string>& files, const std::string& rule) {
+  if (files.size() == 1) return files.front();
+  throw InputError("FILES", fmt::format("{} files are given; {}; give one file", files.size(), rule));
+}
+
 void report_left_out(int left_out, int documents) {
   if (left_out == documents)
     throw InputError("FILES", "all documents are failures; their key \"reason\" says why there is no result");
@@ -171,12 +167,26 @@ void report_left_out(int left_out, int documents) {
                                 left_out, documents));
 }
 
+std::vector<Json> studies_of(const PlotInputs& inputs) {
+  std::vector<Json> studies;
+  for (const PlottedRun& run : inputs.runs) studies.push_back(study_of(run));
+  for (const PlottedPrediction& plotted : inputs.predictions) studies.push_back(plotted.study);
+  std::erase_if(studies, [](const Json& study) { return !study.is_object(); });
+  return studies;
+}
+
+Results results_of(const PlottedPrediction& plotted) {
+  return results_of(plotted.prediction, plotted.scene ? &*plotted.scene : nullptr, plotted.swimmer);
+}
+
 PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& wanted,
                             const CycleChoice& cycle) {
   int left_out = 0;
   std::vector<SourceDocument> documents = read_documents(files, left_out);
   const int count = static_cast<int>(documents.size()) + left_out;
-  require_same_units(documents);
+  for (const SourceDocument& file : documents)
+    require_same_units(units_of(file.document), file.source, units_of(documents.front().document),
+                       documents.front().source);
   const MethodChoice choice = resolve_methods(wanted, methods_in(documents));
   PlotInputs inputs;
   inputs.units = units_of(documents.front().document);
@@ -194,7 +204,10 @@ PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodC
   }
   if (reason && inputs.runs.empty() && inputs.predictions.empty()) throw *reason;
   report_left_out(left_out, count);
-  inputs.methods = choice.methods.empty() ? methods_of(inputs.predictions) : choice.methods;
+  inputs.methods = choice.methods;
+  if (choice.methods.empty())
+    for (const PlottedPrediction& plotted : inputs.predictions)
+      add_method(plotted.prediction, inputs.methods);
   return inputs;
 }
 

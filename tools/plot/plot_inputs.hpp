@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "beadswim/compare/cycle_choice.hpp"
+#include "beadswim/documents/results.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 
 // Run records and predictions that a figure shows.
@@ -35,6 +36,17 @@ struct PlotInputs {
   std::vector<PlottedPrediction> references;  ///< predictions by the method MethodChoice::relative_to
 };
 
+/// Returns the study of a run; null if it belongs to none.
+inline Json study_of(const PlottedRun& run) {
+  return run.record.study.value_or(Json());
+}
+
+/// Returns the studies of all inputs that belong to one.
+std::vector<Json> studies_of(const PlotInputs& inputs);
+
+/// Returns the results of a prediction.
+Results results_of(const PlottedPrediction& plotted);
+
 struct MethodChoice {
   std::vector<std::string> methods{};  ///< methods to draw; empty: the best usable method; "all": all methods
   std::string relative_to{};           ///< method of the references; empty: no references
@@ -46,6 +58,13 @@ struct MethodChoice {
 /// result, if units differ, or if no prediction was made by a method that `choice` names.
 PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& choice,
                             const CycleChoice& cycle = {});
+
+/// Throws InputError if the files have different units.
+void require_same_units(const Units& units, const std::string& source, const Units& first,
+                        const std::string& first_source);
+
+/// Returns the only file. Throws InputError, which states the rule, if there is another number of files.
+std::string only_file(const std::vector<std::string>& files, const std::string& rule);
 
 /// Prints how many of `documents` have no result, if there are any. Throws InputError if none has.
 void report_left_out(int left_out, int documents);

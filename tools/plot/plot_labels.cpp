@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -132,12 +133,8 @@ std::string lattice_text(const PlotInputs& inputs) {
 std::string varied_text(const PlotInputs& inputs, const Json& study) {
   if (!study.is_object()) return {};
   std::map<std::string, std::set<Json>> values;
-  const auto add = [&](const Json& other) {
+  for (const Json& other : studies_of(inputs))
     for (const auto& [name, value] : other.items()) values[name].insert(value);
-  };
-  for (const PlottedRun& run : inputs.runs) add(run.record.study.value_or(Json::object()));
-  for (const PlottedPrediction& plotted : inputs.predictions)
-    if (plotted.study.is_object()) add(plotted.study);
   Json varied = Json::object();
   for (const auto& [name, value] : study.items())
     if (values[name].size() > 1) varied[name] = value;
@@ -146,9 +143,14 @@ std::string varied_text(const PlotInputs& inputs, const Json& study) {
 
 std::string run_label(const PlotInputs& inputs, const PlottedRun& run) {
   if (inputs.runs.size() == 1) return run.record.model;
-  const std::string varied = varied_text(inputs, run.record.study.value_or(Json()));
+  const std::string varied = varied_text(inputs, study_of(run));
   if (!varied.empty()) return run.record.model + varied;
   return fmt::format("{} {}", run.record.model, std::filesystem::path(run.source).filename().string());
+}
+
+std::string capitalised(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 std::string range_text(const std::vector<double>& numbers, int digits) {
@@ -190,7 +192,7 @@ std::vector<RunGroup> runs_by_setting(const PlotInputs& inputs) {
   return result;
 }
 
-Note run_note(const PlotInputs& inputs, std::optional<Abscissa> abscissa) {
+Note run_note(const PlotInputs& inputs, std::optional<AbscissaKind> abscissa) {
   if (inputs.runs.empty()) return {};
   const auto period = [](const RunRecord& record) { return std::optional(record.driving.period); };
   const auto if_known = [](double number) { return number > 0 ? std::optional(number) : std::nullopt; };
@@ -203,7 +205,7 @@ Note run_note(const PlotInputs& inputs, std::optional<Abscissa> abscissa) {
   };
   const std::string reynolds_text = named("Re", run_range(inputs, 2, reynolds));
   std::string text =
-      "Runs: " + join_texts({abscissa == Abscissa::period ? "" : named("T", run_range(inputs, 6, period)),
+      "Runs: " + join_texts({abscissa == AbscissaKind::period ? "" : named("T", run_range(inputs, 6, period)),
                              abscissa ? "" : named("δ/λ", run_range(inputs, 3, depth)), reynolds_text});
   if (const std::string lattice = lattice_text(inputs); !lattice.empty()) text += "; " + lattice;
   if (const std::string box = shared_setting(inputs, 5); !box.empty()) text += "; " + box;
@@ -212,7 +214,7 @@ Note run_note(const PlotInputs& inputs, std::optional<Abscissa> abscissa) {
       .summary = reynolds_text.empty() ? "" : fmt::format("{} runs: {}", inputs.runs.size(), reynolds_text)};
 }
 
-std::vector<Note> prediction_notes(const PlotInputs& inputs, Abscissa abscissa) {
+std::vector<Note> prediction_notes(const PlotInputs& inputs, AbscissaKind abscissa) {
   if (inputs.predictions.empty()) return {};
   std::vector<std::string> texts;
   for (const Parameter& parameter : parameters) {

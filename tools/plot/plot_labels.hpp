@@ -32,12 +32,12 @@ std::vector<RunGroup> runs_by_setting(const PlotInputs& inputs);
 /// Returns a note that states the parameters of all runs, with ranges where they differ: "Runs: T = 1000 to
 /// 10000, ...". Omits the parameter on the horizontal axis, and settings that differ between runs, because
 /// the labels of the runs state these settings. Returns an empty note if there is no run.
-Note run_note(const PlotInputs& inputs, std::optional<Abscissa> abscissa);
+Note run_note(const PlotInputs& inputs, std::optional<AbscissaKind> abscissa);
 
 /// Returns notes on the predictions. The first note states their parameters, with ranges where they differ,
 /// for example "Predictions: T = 4800, A/B = 1". It omits the parameter on the horizontal axis and parameters
 /// that a prediction does not state. A second note follows if some predictions are not usable.
-std::vector<Note> prediction_notes(const PlotInputs& inputs, Abscissa abscissa);
+std::vector<Note> prediction_notes(const PlotInputs& inputs, AbscissaKind abscissa);
 
 /// Returns a note that explains marks (runs) and lines (predictions) of the figure.
 Note reading_note(const PlotInputs& inputs);
@@ -48,6 +48,9 @@ std::string summarise_names(const std::set<std::string>& names, const std::strin
 
 /// Returns a number of cycles, a range of it, and the noun: "1 cycle", "0.5 to 4 cycles".
 std::string cycles_text(const std::vector<double>& cycles);
+
+/// Returns the text with a capital first letter.
+std::string capitalised(std::string text);
 
 /// Returns the range of the numbers, for example "4800" or "1000 to 10000". `digits`: number of significant
 /// digits.

@@ -28,19 +28,17 @@ namespace beadswim {
 namespace {
 
 struct SpeedFlags {
-  std::vector<std::string> methods;  ///< methods of the prediction or of the verdicts whose errors are drawn
-  std::string cycle = "last";
+  ResultFlags results;  ///< methods of the prediction or of the verdicts whose errors are drawn
   std::vector<std::string>
       references;  ///< files of runs or a prediction relative to which errors are measured
-  std::optional<ComparedQuantity> quantity;  ///< the quantity that is drawn; nullopt: both
+  std::optional<ResultQuantity> quantity;  ///< the quantity that is drawn; nullopt: both
 };
 
 /// Reference values for the errors of runs: a prediction for one swimmer, or all swimmers of a run.
 struct ErrorReference {
   std::string name;
   std::optional<int> swimmer{};          ///< id of the only swimmer of a prediction; nullopt: all swimmers
-  std::vector<ComparedValues> swimmers;  ///< of the only swimmer, or of all swimmers
-  std::map<ComparedQuantity, double> uncertainty;  ///< relative; contains only known uncertainties
+  std::vector<Results> swimmers;         ///< of the only swimmer, or of all swimmers
 };
 
 /// The runs of one scene and their reference.
@@ -72,42 +70,33 @@ void require_one_scene(const PlottedRun& run, const SourceDocument& other) {
 /// Returns the velocity and stroke of a run as the reference for errors.
 ErrorReference reference_of(const PlottedRun& run, const CycleChoice& cycle) {
   const RunRecord& record = run.record;
-  ErrorReference reference{.name = record.model, .swimmers = {}, .uncertainty = {}};
+  ErrorReference reference{.name = record.model, .swimmers = {}};
   if (record.resolution) {
     reference.name = fmt::format("{}, {}, {:g} cells per radius", record.model,
                                  record.resolution->bead_boundary, record.resolution->cells_per_radius);
   }
-  std::map<ComparedQuantity, double> changes, squares;  // sums over swimmers
-  for (const SwimmerRecord& swimmer : record.swimmers) {
-    reference.swimmers.push_back(swimming_of(record, swimmer, cycle, run.source));
-    for (const auto& [quantity, uncertainties] : uncertainties_of(swimmer, cycle)) {
-      const std::vector<double>& values = reference.swimmers.back().at(quantity);
-      const std::size_t count = compared_count(quantity, values);
-      for (std::size_t i = 0; i < count; ++i) {
-        const double relative = uncertainties[std::min(i, uncertainties.size() - 1)];
-        changes[quantity] += std::pow(relative * values[i], 2);
-        squares[quantity] += std::pow(values[i], 2);
-      }
-    }
-  }
-  for (const auto& [quantity, change] : changes)
-    if (change > 0) reference.uncertainty[quantity] = std::sqrt(change / squares[quantity]);
+  for (const SwimmerRecord& swimmer : record.swimmers)
+    reference.swimmers.push_back(results_of(record, swimmer, cycle, run.source, RunUncertainty::of_cycle));
   return reference;
 }
 
-/// Returns the velocity and stroke of a prediction as the reference for errors.
-ErrorReference reference_of(const PlottedPrediction& best) {
-  ErrorReference reference{.name = best.prediction.method,
-                           .swimmer = best.swimmer,
-                           .swimmers = {swimming_of(best.prediction)},
-                           .uncertainty = {}};
-  if (const auto& velocity = best.prediction.uncertainty)
-    reference.uncertainty[ComparedQuantity::velocity] = *velocity;
-  if (const auto& stroke = best.prediction.stroke_uncertainty) {
-    const auto& [one, other] = stroke->arm_amplitudes;
-    reference.uncertainty[ComparedQuantity::arm_amplitudes] = std::max(one, other);
+/// Returns the relative uncertainty of a quantity of the reference: of a prediction the largest of its
+/// numbers, of a run the root mean square over numbers and swimmers. Returns nullopt if none is stated.
+std::optional<double> uncertainty_of(const ErrorReference& reference, ResultQuantity quantity) {
+  std::optional<double> largest;
+  double change = 0, square = 0;
+  for (const Results& results : reference.swimmers) {
+    const auto found = results.find(quantity);
+    if (found == results.end()) continue;
+    const auto& [numbers, vector, uncertainties] = found->second;
+    for (std::size_t i = 0; i < uncertainties.size(); ++i) {
+      largest = std::max(largest.value_or(0), uncertainties[i]);
+      change += std::pow(uncertainties[i] * numbers[i], 2);
+      square += std::pow(numbers[i], 2);
+    }
   }
-  return reference;
+  if (reference.swimmer) return largest;
+  return change > 0 ? std::optional(std::sqrt(change / square)) : std::nullopt;
 }
 
 /// Returns "9 swimmers, box 120 x 120 x 120".
@@ -138,7 +127,7 @@ SourceDocument document_of(const PlotInputs& read) {
 ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, const SpeedFlags& flags,
                          const CycleChoice& cycle) {
   const bool has_several_scenes = flags.references.size() > 1;
-  const PlotInputs read = read_plot_inputs({file}, {flags.methods}, cycle);
+  const PlotInputs read = read_plot_inputs({file}, flags.results.methods, cycle);
   if (read.runs.size() + read.predictions.size() != 1) {
     throw InputError(
         file,
@@ -162,8 +151,12 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
                      "no run has the scene of this reference; add its runs, or leave the reference out");
   const PlottedRun& first = *scene.runs.front();
   require_one_scene(first, reference);
-  scene.reference =
-      read.runs.empty() ? reference_of(read.predictions.front()) : reference_of(read.runs.front(), cycle);
+  if (read.runs.empty()) {
+    const PlottedPrediction& only = read.predictions.front();
+    scene.reference = {only.prediction.method, only.swimmer, {results_of(only)}};
+  } else {
+    scene.reference = reference_of(read.runs.front(), cycle);
+  }
   if (has_several_scenes) scene.title = scene_title(first.record);
   return scene;
 }
@@ -226,10 +219,11 @@ void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
 }
 
 /// Throws InputError if a swimmer of the run has another number of arms than in the reference.
-void require_same_arms(const PlottedRun& run, const std::vector<ComparedValues>& swimmers,
+void require_same_arms(const PlottedRun& run, const std::vector<Results>& swimmers,
                        const ErrorReference& reference) {
-  const auto arms = [](const ComparedValues& values) {
-    return values.at(ComparedQuantity::arm_amplitudes).size();
+  const auto arms = [](const Results& results) {
+    const auto found = results.find(ResultQuantity::arm_amplitudes);
+    return found == results.end() ? 0 : found->second.numbers.size();
   };
   for (std::size_t s = 0; s < swimmers.size(); ++s) {
     if (arms(reference.swimmers[s]) == arms(swimmers[s])) continue;
@@ -240,17 +234,14 @@ void require_same_arms(const PlottedRun& run, const std::vector<ComparedValues>&
   }
 }
 
-/// Returns velocity and stroke of the swimmers of which the reference contains values.
-std::vector<ComparedValues> swimming_of(const PlottedRun& run, const ErrorReference& reference,
-                                        const CycleChoice& cycle) {
-  std::vector<ComparedValues> swimmers;
-  if (reference.swimmer) {
-    const SwimmerRecord& only = find_swimmer(run.record, *reference.swimmer, run.source);
-    swimmers.push_back(swimming_of(run.record, only, cycle, run.source));
-  } else {
-    for (const SwimmerRecord& swimmer : run.record.swimmers)
-      swimmers.push_back(swimming_of(run.record, swimmer, cycle, run.source));
-  }
+/// Returns the results of the swimmers of which the reference contains values.
+std::vector<Results> results_of(const PlottedRun& run, const ErrorReference& reference,
+                                const CycleChoice& cycle) {
+  std::vector<SwimmerRecord> wanted = run.record.swimmers;
+  if (reference.swimmer) wanted = {find_swimmer(run.record, *reference.swimmer, run.source)};
+  std::vector<Results> swimmers;
+  for (const SwimmerRecord& swimmer : wanted)
+    swimmers.push_back(results_of(run.record, swimmer, cycle, run.source));
   require_same_arms(run, swimmers, reference);
   return swimmers;
 }
@@ -270,15 +261,18 @@ std::vector<CostedRun> costed_runs(const ComparedScene& scene, const CycleChoice
     if (same_setting != runs.end())
       require_same_corrections(run, *plotted[static_cast<std::size_t>(same_setting - runs.begin())]);
     costed.cost = cost_of(run);
-    costed.swimmers = swimming_of(run, scene.reference, cycle);
+    costed.swimmers = results_of(run, scene.reference, cycle);
     runs.push_back(std::move(costed));
   }
   return runs;
 }
 
 QuantityErrors errors_of(const std::vector<ErrorsOfSetting>& all, const ComparedScene& scene,
-                         ComparedQuantity quantity, const std::string& name) {
-  QuantityErrors errors{.quantity = name, .series = {}, .scene = scene.title};
+                         ResultQuantity quantity, const std::string& name) {
+  QuantityErrors errors{.quantity = name,
+                        .series = {},
+                        .uncertainty = uncertainty_of(scene.reference, quantity),
+                        .scene = scene.title};
   for (const auto& [setting, resolutions] : all) {
     errors.series.push_back({setting, {}});
     for (const auto& [cells, source, cost, known] : resolutions) {
@@ -290,8 +284,6 @@ QuantityErrors errors_of(const std::vector<ErrorsOfSetting>& all, const Compared
            .error = known.at(quantity)});
     }
   }
-  const auto known = scene.reference.uncertainty.find(quantity);
-  if (known != scene.reference.uncertainty.end()) errors.uncertainty = known->second;
   return errors;
 }
 
@@ -315,8 +307,8 @@ Figure speed_figure(const PlotInputs& inputs, const SpeedFlags& flags, const Cyc
   for (const ComparedScene& scene : read_scenes(inputs, flags, cycle)) {
     const auto all = errors_by_setting(costed_runs(scene, cycle), scene.reference.swimmers);
     references.insert(scene.reference.name);
-    for (const auto& [quantity, name] : {std::pair(ComparedQuantity::velocity, "velocity"),
-                                         std::pair(ComparedQuantity::arm_amplitudes, "arm amplitudes")})
+    for (const auto& [quantity, name] : {std::pair(ResultQuantity::velocity, "velocity"),
+                                         std::pair(ResultQuantity::arm_amplitudes, "arm amplitudes")})
       if (flags.quantity.value_or(quantity) == quantity)
         panels.push_back(errors_of(all, scene, quantity, name));
   }
@@ -330,8 +322,7 @@ Figure speed_figure(const PlotInputs& inputs, const SpeedFlags& flags, const Cyc
 
 Drawing add_speed_flags(CLI::App& command) {
   const auto flags = std::make_shared<SpeedFlags>();
-  add_methods(command, flags->methods);
-  add_cycle(command, flags->cycle);
+  add_result_flags(command, flags->results);
   command
       .add_option(
           "--reference", flags->references,
@@ -341,17 +332,17 @@ Drawing add_speed_flags(CLI::App& command) {
       ->delimiter(',')
       ->default_str("none");
   add_word(command, "--quantity",
-           {to_text(ComparedQuantity::velocity), to_text(ComparedQuantity::arm_amplitudes)}, "",
+           {to_text(ResultQuantity::velocity), to_text(ResultQuantity::arm_amplitudes)}, "",
            "Quantity whose errors of run records are drawn",
-           [flags](const std::string& word) { flags->quantity = from_text<ComparedQuantity>(word); })
+           [flags](const std::string& word) { flags->quantity = from_text<ResultQuantity>(word); })
       ->default_str("both");
   return [flags](const PlotFiles& files) {
-    const CycleChoice cycle = parse_cycle_choice(flags->cycle);
+    const CycleChoice cycle = flags->results.cycle_choice();
     if (!flags->references.empty()) {
       for (const std::string& file : flags->references) require_other_file(file, files.output);
       return Drawn(speed_figure(read_plot_inputs(files.inputs, {}, cycle), *flags, cycle));
     }
-    if (flags->cycle != SpeedFlags().cycle) {
+    if (flags->results.cycle != ResultFlags().cycle) {
       throw InputError("--cycle",
                        "each verdict already states which cycle was compared; leave --cycle out, or draw run "
                        "records with --reference instead of verdicts");
@@ -360,7 +351,7 @@ Drawing add_speed_flags(CLI::App& command) {
       throw InputError(
           "--quantity",
           "is for run records; leave it out, or draw run records with --reference instead of verdicts");
-    return Drawn(verdict_figure(files.inputs, flags->methods));
+    return Drawn(verdict_figure(files.inputs, flags->results.methods.methods));
   };
 }
 

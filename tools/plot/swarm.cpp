@@ -33,7 +33,7 @@ struct SwarmFlags {
   SwarmColours colours = SwarmColours::blocks;
   /// Number of swimmers in a block along x, y, z; or one number, for blocks of swimmers with consecutive ids.
   std::vector<int> block_swimmers{1, 3, 3};
-  std::array<int, 3> repeat{1, 1, 1};  ///< periodic copies along each axis
+  std::vector<int> repeat{1, 1, 1};  ///< periodic copies along each axis
   std::vector<SwimmerMark> marks{};
   bool distances = false;  ///< draws distances between neighbours; only for layouts
 };
@@ -102,7 +102,7 @@ int colour_of(const Cell& cell, std::size_t swimmer, const Triple& copy, const L
 /// Returns the swimmers of the swarm and of all its periodic copies.
 std::vector<PicturedSwimmer> copies_of(const Cell& cell, const SwarmFlags& options) {
   std::vector<PicturedSwimmer> drawn;
-  const auto& [nx, ny, nz] = options.repeat;
+  const int nx = options.repeat[0], ny = options.repeat[1], nz = options.repeat[2];
   for (int i = 0; i < nx * ny * nz; ++i) {
     const Triple copy{i / (ny * nz), i / nz % ny, i % nz};
     const Vec3 shift = Vec3(copy[0], copy[1], copy[2]).cwiseProduct(cell.scene.box);
@@ -219,15 +219,9 @@ std::vector<PictureDistance> distances(const SwarmScene& scene, const std::vecto
 }
 
 SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlags& options) {
-  if (files.size() != 1) {
-    throw InputError(
-        "FILES",
-        fmt::format(
-            "{} files are given; a swarm is drawn from one layout or one trajectory (.h5md); give one file",
-            files.size()));
-  }
-  const SwarmScene scene = read_swarm_scene(files.front(), options.frame);
-  const Triple& repeat = options.repeat;
+  const SwarmScene scene = read_swarm_scene(
+      only_file(files, "a swarm is drawn from one layout or one trajectory (.h5md)"), options.frame);
+  const Triple repeat{options.repeat[0], options.repeat[1], options.repeat[2]};
   require_repeatable(scene, repeat);
   const Cell cell = cell_of(scene);
   SwarmPicture picture{.title = "Swarm " + scene.time_text,
@@ -252,24 +246,15 @@ Drawing add_swarm_flags(CLI::App& command) {
   add_choice(command, "--colours", options->colours,
              "Property that decides the colour of a swimmer: its block (--block-swimmers; adjacent blocks "
              "differ), its id, or its type");
-  command
-      .add_option_function<std::string>(
-          "--block-swimmers",
-          [options](const std::string& text) { options->block_swimmers = parse_whole_numbers(text); },
-          "Number of swimmers in a block: along x, y, z (by layers of the layout), or in total (by "
-          "consecutive ids)")
+  add_whole_numbers(command, "--block-swimmers", options->block_swimmers,
+                    number_list({1, 3}, whole_positive()),
+                    "Number of swimmers in a block: along x, y, z (by layers of the layout), or in total (by "
+                    "consecutive ids)")
       ->type_name("NX,NY,NZ|N")
-      ->check(number_list({1, 3}, whole_positive()))
       ->default_str("1,3,3");
-  command
-      .add_option_function<std::string>(
-          "--repeat",
-          [options](const std::string& text) {
-            std::ranges::copy(parse_whole_numbers(text), options->repeat.begin());
-          },
-          "Number of periodic copies of the box to draw along x, y, z, the box itself included")
+  add_whole_numbers(command, "--repeat", options->repeat, number_list({3}, whole_positive()),
+                    "Number of periodic copies of the box to draw along x, y, z, the box itself included")
       ->type_name("NX,NY,NZ")
-      ->check(number_list({3}, whole_positive()))
       ->default_str("1,1,1");
   add_marks(command, options->marks);
   command.add_flag("--distances", options->distances,

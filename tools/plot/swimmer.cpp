@@ -83,13 +83,10 @@ std::string fluid_text(const Layout& layout) {
 }
 
 SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optional<int> id) {
-  if (files.size() != 1)
-    throw InputError(
-        "FILES",
-        fmt::format("{} files are given; a swimmer is drawn from one layout; give one file", files.size()));
-  const Layout layout = read_layout(files.front()).layout;
-  const Swimmer& swimmer = find_swimmer(layout, id, source_name(files.front()));
-  const ThreeBeadSwimmer type = paper_swimmer(layout, swimmer, source_name(files.front()));
+  const std::string file = only_file(files, "a swimmer is drawn from one layout");
+  const Layout layout = read_layout(file).layout;
+  const Swimmer& swimmer = find_swimmer(layout, id, source_name(file));
+  const ThreeBeadSwimmer type = paper_swimmer(layout, swimmer, source_name(file));
   const Units& units = layout.units;
   const std::string length = units.lattice ? "" : " " + units.length.name;
   const std::string friction = units.lattice ? "" : fmt::format(" {}/{}", units.mass.name, units.time.name);
@@ -120,8 +117,9 @@ SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optiona
 
 Drawing add_swimmer_flags(CLI::App& command) {
   const auto ids = std::make_shared<std::vector<int>>();
-  add_whole_numbers(command, "--swimmers", *ids, "the layout's first", "Id of the swimmer to draw")
-      ->type_name("ID");
+  add_swimmers(command, *ids, "Id of the swimmer to draw")
+      ->type_name("ID")
+      ->default_str("the layout's first");
   return [ids](const PlotFiles& files) {
     if (ids->size() > 1)
       throw InputError(

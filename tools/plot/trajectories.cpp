@@ -43,12 +43,8 @@ std::vector<TrajectoryFile> open_all(const std::vector<std::string>& paths) {
   if (paths.empty()) throw InputError("FILES", "no file is given; name trajectories (.h5md) to draw");
   std::vector<TrajectoryFile> files;
   for (const std::string& path : paths) files.push_back(open_trajectory(path));
-  for (const TrajectoryFile& file : files) {
-    if (same_units(file.layout.units, files.front().layout.units)) continue;
-    throw InputError(file.source, fmt::format("the units of this file differ from the units of {}; all files "
-                                              "of a figure must have the same units",
-                                              files.front().source));
-  }
+  for (const TrajectoryFile& file : files)
+    require_same_units(file.layout.units, file.source, files.front().layout.units, files.front().source);
   return files;
 }
 
@@ -220,13 +216,10 @@ Figure trajectory_figure(const std::vector<std::string>& paths, const Trajectory
 
 Drawing add_trajectory_flags(CLI::App& command) {
   const auto options = std::make_shared<TrajectoryFlags>();
-  add_whole_numbers(command, "--swimmers", options->swimmers, "all", "Ids of the swimmers to draw");
-  command
-      .add_option_function<std::string>(
-          "--beads", [options](const std::string& text) { options->beads = parse_whole_numbers(text); },
-          "Numbers of the beads of each swimmer to draw, from 1")
+  add_swimmers(command, options->swimmers, "Ids of the swimmers to draw")->default_str("all");
+  add_whole_numbers(command, "--beads", options->beads, number_list({}, whole_number(1, max_beads)),
+                    "Numbers of the beads of each swimmer to draw, from 1")
       ->type_name("N,...")
-      ->check(number_list({}, whole_number(1, max_beads)))
       ->default_str("the middle bead");
   add_word(command, "--along", {"x", "y", "z"}, "x", "Coordinate to draw, not wrapped into the box",
            [options](const std::string& word) { options->axis = word[0] - 'x'; });

@@ -87,7 +87,7 @@ std::vector<PlottedVerdict> read_verdicts(const std::vector<std::string>& files,
 }
 
 /// Returns the errors of one quantity: one series for each verdict that compares this quantity.
-std::vector<ErrorSeries> errors_of(const std::vector<PlottedVerdict>& verdicts, ComparedQuantity quantity) {
+std::vector<ErrorSeries> errors_of(const std::vector<PlottedVerdict>& verdicts, ResultQuantity quantity) {
   std::vector<ErrorSeries> all;
   for (const PlottedVerdict& plotted : verdicts) {
     std::vector<double> errors;
@@ -119,8 +119,8 @@ Note methods_note(const std::vector<PlottedVerdict>& verdicts) {
 Figure verdict_figure(const std::vector<std::string>& files, const std::vector<std::string>& methods) {
   const std::vector<PlottedVerdict> verdicts = read_verdicts(files, methods);
   std::vector<QuantityErrors> quantities;
-  for (const auto& [quantity, name] : {std::pair(ComparedQuantity::velocity, "velocity"),
-                                       std::pair(ComparedQuantity::arm_amplitudes, "arm amplitudes")}) {
+  for (const auto& [quantity, name] : {std::pair(ResultQuantity::velocity, "velocity"),
+                                       std::pair(ResultQuantity::arm_amplitudes, "arm amplitudes")}) {
     std::vector<ErrorSeries> all = errors_of(verdicts, quantity);
     if (!all.empty()) quantities.push_back({name, std::move(all)});
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace beadswim {
 namespace {
@@ -18,14 +19,14 @@ std::ptrdiff_t preference(const std::string& method) {
   return std::find(preferred_methods.begin(), preferred_methods.end(), method) - preferred_methods.begin();
 }
 
-bool can_decide(const Reference& reference, std::span<const ComparedQuantity> quantities) {
-  return reference.usable &&
-         std::all_of(quantities.begin(), quantities.end(),
-                     [&](ComparedQuantity quantity) { return reference.swimming.contains(quantity); });
+bool can_decide(const Reference& reference, std::span<const ResultQuantity> quantities) {
+  return reference.usable && std::all_of(quantities.begin(), quantities.end(), [&](ResultQuantity quantity) {
+           return reference.results.contains(quantity);
+         });
 }
 
 /// Returns a row with quantity, sources and method, but without the compared numbers.
-ComparisonRow labelled_row(const RunSwimmer& run, const Reference& reference, ComparedQuantity quantity) {
+ComparisonRow labelled_row(const RunSwimmer& run, const Reference& reference, ResultQuantity quantity) {
   ComparisonRow row;
   row.quantity = quantity;
   row.run_source = run.source;
@@ -36,22 +37,33 @@ ComparisonRow labelled_row(const RunSwimmer& run, const Reference& reference, Co
   return row;
 }
 
-std::optional<double> value_of(const ComparedValues& values, ComparedQuantity quantity, std::size_t i) {
-  const auto found = values.find(quantity);
-  if (found == values.end() || i >= found->second.size()) return std::nullopt;
-  return found->second[i];
+std::optional<double> number_of(const Results& results, ResultQuantity quantity, std::size_t i) {
+  const auto found = results.find(quantity);
+  if (found == results.end() || i >= found->second.numbers.size()) return std::nullopt;
+  return found->second.numbers[i];
+}
+
+bool is_angle(ResultQuantity quantity) {
+  return row_of(quantity).dimension == Dimension::angle;
+}
+
+bool is_phase(ResultQuantity quantity) {
+  return is_angle(quantity) || quantity == ResultQuantity::sin_phase_shift;
 }
 
 /// Sets the numbers of a row for number i of a quantity. Returns the difference of run and reference: for
-/// vectors its size, with the sign of run - reference along the reference.
+/// vectors its size, with the sign of run - reference along the reference, for angles within half a turn.
 double set_numbers(const RunSwimmer& run, const Reference& reference, std::size_t i, ComparisonRow& row) {
-  const std::vector<double>& values = run.swimming.at(row.quantity);
-  const std::vector<double>& others = reference.swimming.at(row.quantity);
-  row.run = values[i];
-  row.reference = others[i];
-  auto vector = vector_of(row.quantity, values);
-  const auto expected = vector_of(row.quantity, others);
-  if (!vector || !expected) return row.run - row.reference;
+  const ResultValue &value = run.results.at(row.quantity), &other = reference.results.at(row.quantity);
+  row.run = value.numbers[i];
+  row.reference = other.numbers[i];
+  row.run_uncertainty = value.uncertainty(i);
+  row.reference_uncertainty = other.uncertainty(i);
+  const double difference = row.run - row.reference;
+  auto vector = value.vector;
+  const auto& expected = other.vector;
+  if (!vector || !expected)
+    return is_angle(row.quantity) ? std::remainder(difference, 2 * std::numbers::pi) : difference;
   if (run.axis && reference.axis)
     vector = Eigen::Quaterniond::FromTwoVectors(*run.axis, *reference.axis) * *vector;
   const Vec3 along = (row.reference < 0 ? -1 : 1) * (expected->isZero(0) ? *vector : *expected).normalized();
@@ -60,25 +72,22 @@ double set_numbers(const RunSwimmer& run, const Reference& reference, std::size_
   return std::copysign((*vector - *expected).norm(), row.run - row.reference);
 }
 
-/// Makes the error and the uncertainties of a row, whose reference is zero, relative to `scale`.
+/// Makes the error and the uncertainties of a row, whose reference is zero or an angle, relative to `scale`.
 void make_relative_to(double scale, double difference, ComparisonRow& row) {
   row.relative_error = relative_error(difference, scale);
   if (scale > 0 && row.run_uncertainty) *row.run_uncertainty *= std::abs(row.run) / scale;
   if (scale > 0 && row.reference_uncertainty) *row.reference_uncertainty *= std::abs(row.reference) / scale;
 }
 
-/// Returns the row for number i of a quantity. Arm amplitudes have one number per arm, and i + 1 is the
-/// number of the arm. Other quantities have one number.
-ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, ComparedQuantity quantity,
+/// Returns the row for number i of a quantity. If it has one number per arm, i + 1 is the number of the arm.
+ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, ResultQuantity quantity,
                              std::size_t i, double tolerance) {
   ComparisonRow row = labelled_row(run, reference, quantity);
-  if (quantity == ComparedQuantity::arm_amplitudes) row.arm = static_cast<int>(i) + 1;
+  if (row_of(quantity).is_per_arm) row.arm = static_cast<int>(i) + 1;
   const double difference = set_numbers(run, reference, i, row);
   row.relative_error = relative_error(difference, row.reference);
-  row.run_uncertainty = value_of(run.uncertainties, quantity, i);
-  row.reference_uncertainty = value_of(reference.uncertainties, quantity, i);
   const double zero = zero_threshold(run.scale, reference, quantity);
-  if (std::abs(row.reference) <= zero)
+  if (std::abs(row.reference) <= zero || is_angle(quantity))
     make_relative_to(run.scale.size_of(quantity, run.scale.speed), std::abs(difference) <= zero ? 0 : difference,
                      row);
   row.tolerance = tolerance;
@@ -94,16 +103,16 @@ double relative_error(double difference, double reference) {
   return difference / std::abs(reference);
 }
 
-double zero_threshold(const MotionScale& scale, const Reference& reference, ComparedQuantity quantity) {
+double zero_threshold(const MotionScale& scale, const Reference& reference, ResultQuantity quantity) {
   constexpr double roundoff = 1e-12, accuracy = 1e-10;  // relative to length and to speed
   const double speed =
       std::max({accuracy * scale.speed, roundoff * scale.length / scale.period, reference.numerical_error});
-  if (quantity != ComparedQuantity::sin_phase_shift) return scale.size_of(quantity, speed);
+  if (!is_phase(quantity)) return scale.size_of(quantity, speed);
   double amplitude = std::numeric_limits<double>::infinity();
   for (const std::size_t arm : {0UL, 1UL})
     amplitude = std::min(
-        amplitude, value_of(reference.swimming, ComparedQuantity::arm_amplitudes, arm).value_or(amplitude));
-  return std::max(accuracy, scale.size_of(ComparedQuantity::arm_amplitudes, speed) / amplitude);
+        amplitude, number_of(reference.results, ResultQuantity::arm_amplitudes, arm).value_or(amplitude));
+  return std::max(accuracy, scale.size_of(ResultQuantity::arm_amplitudes, speed) / amplitude);
 }
 
 double root_mean_square(std::span<const double> values) {
@@ -113,7 +122,7 @@ double root_mean_square(std::span<const double> values) {
 }
 
 std::optional<std::size_t> best_reference(std::span<const Reference> references,
-                                          std::span<const ComparedQuantity> quantities) {
+                                          std::span<const ResultQuantity> quantities) {
   std::optional<std::size_t> best;
   std::ptrdiff_t best_rank = 0;
   for (std::size_t i = 0; i < references.size(); ++i) {
@@ -129,19 +138,18 @@ std::optional<std::size_t> best_reference(std::span<const Reference> references,
 std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<const Reference> references,
                                            const Criterion& criterion) {
   std::vector<ComparisonRow> rows;
-  const auto compare = [&](ComparedQuantity quantity, std::size_t i) {
+  const auto compare = [&](ResultQuantity quantity, std::size_t i) {
     for (std::size_t r = 0; r < references.size(); ++r) {
-      if (!value_of(references[r].swimming, quantity, i)) continue;
-      const bool is_phase = quantity == ComparedQuantity::sin_phase_shift;
-      if (is_phase && zero_threshold(run.scale, references[r], quantity) >= 1) continue;
+      if (!number_of(references[r].results, quantity, i)) continue;
+      if (is_phase(quantity) && zero_threshold(run.scale, references[r], quantity) >= 1) continue;
       rows.push_back(compare_number(run, references[r], quantity, i, criterion.tolerance));
       rows.back().decides = references[r].usable && r == criterion.deciding;
     }
   };
-  for (const ComparedQuantity quantity : criterion.quantities) {
-    const auto numbers = run.swimming.find(quantity);
-    if (numbers == run.swimming.end()) continue;
-    for (std::size_t i = 0; i < compared_count(quantity, numbers->second); ++i) compare(quantity, i);
+  for (const ResultQuantity quantity : criterion.quantities) {
+    const auto value = run.results.find(quantity);
+    if (value == run.results.end()) continue;
+    for (std::size_t i = 0; i < value->second.numbers.size(); ++i) compare(quantity, i);
   }
   return rows;
 }

@@ -17,33 +17,32 @@ struct SquareSums {
 };
 
 /// Returns for each quantity the error of each of its components.
-std::map<ComparedQuantity, std::vector<double>> errors_of(const CostedRun& run,
-                                                          std::span<const ComparedValues> reference) {
-  std::map<ComparedQuantity, std::vector<SquareSums>> sums;
+std::map<ResultQuantity, std::vector<double>> errors_of(const CostedRun& run,
+                                                        std::span<const Results> reference) {
+  std::map<ResultQuantity, std::vector<SquareSums>> sums;
   for (std::size_t s = 0; s < run.swimmers.size(); ++s) {
-    for (const auto& [quantity, values] : reference[reference.size() == 1 ? 0 : s]) {
+    for (const auto& [quantity, correct] : reference[reference.size() == 1 ? 0 : s]) {
       const auto found = run.swimmers[s].find(quantity);
       if (found == run.swimmers[s].end()) continue;
       std::vector<SquareSums>& own = sums[quantity];
-      const std::size_t count = compared_count(quantity, values);
-      own.resize(std::max(own.size(), count));
-      for (std::size_t i = 0; i < count; ++i) {
-        own[i].change += std::pow(found->second[i] - values[i], 2);
-        own[i].reference += std::pow(values[i], 2);
+      const std::vector<double>&values = found->second.numbers, &others = correct.numbers;
+      own.resize(std::max(own.size(), others.size()));
+      for (std::size_t i = 0; i < others.size(); ++i) {
+        own[i].change += std::pow(values[i] - others[i], 2);
+        own[i].reference += std::pow(others[i], 2);
       }
     }
   }
-  std::map<ComparedQuantity, std::vector<double>> errors;
+  std::map<ResultQuantity, std::vector<double>> errors;
   for (const auto& [quantity, components] : sums)
     for (const SquareSums& component : components) errors[quantity].push_back(component.ratio());
   return errors;
 }
 
 /// Evaluates the errors of `runs`, which have the same setting and the same resolution.
-ErrorsAtResolution errors_of(const std::vector<const CostedRun*>& runs,
-                             std::span<const ComparedValues> reference) {
+ErrorsAtResolution errors_of(const std::vector<const CostedRun*>& runs, std::span<const Results> reference) {
   std::vector<double> costs;
-  std::map<ComparedQuantity, std::vector<double>> errors;
+  std::map<ResultQuantity, std::vector<double>> errors;
   for (const CostedRun* run : runs) {
     costs.push_back(run->cost);
     for (const auto& [quantity, values] : errors_of(*run, reference))
@@ -60,7 +59,7 @@ ErrorsAtResolution errors_of(const std::vector<const CostedRun*>& runs,
 }  // namespace
 
 std::vector<ErrorsOfSetting> errors_by_setting(std::span<const CostedRun> runs,
-                                               std::span<const ComparedValues> reference) {
+                                               std::span<const Results> reference) {
   std::vector<std::pair<std::string, std::map<double, std::vector<const CostedRun*>>>> groups;
   for (const CostedRun& run : runs) {
     auto group = std::ranges::find(groups, run.setting, [](const auto& each) { return each.first; });

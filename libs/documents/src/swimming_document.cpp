@@ -97,15 +97,6 @@ std::vector<int> swimmers_of(const SwimmingDocument& document) {
   return swimmers_of(std::get<RunRecord>(document));
 }
 
-ComparedValues swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
-                           const std::string& source) {
-  std::vector<ComparedValues> cycles;
-  for (const CycleStatistics& cycle : select_cycles(swimmer.cycles, choice, source)) {
-    cycles.push_back(evaluate_compared_values(cycle, run.domain.box));
-  }
-  return average_compared_values(cycles);
-}
-
 MotionScale motion_scale_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
                             const std::string& source) {
   MotionScale scale{.period = swimmer.period.value_or(run.driving.period)};
@@ -123,54 +114,6 @@ MotionScale motion_scale_of(const RunRecord& run, const SwimmerRecord& swimmer, 
   }
   if (run.mobility && run.mobility->cut_off) scale.numerical_error = run.mobility->tolerance * scale.speed;
   return scale;
-}
-
-ComparedValues uncertainties_of(const SwimmerRecord& swimmer, const CycleChoice& choice) {
-  ComparedValues uncertainties;
-  if (choice.kind != CycleChoice::Kind::last || !swimmer.uncertainty) return uncertainties;
-  const auto& [velocity, arms] = *swimmer.uncertainty;
-  if (velocity.total) uncertainties[ComparedQuantity::velocity] = {*velocity.total};
-  if (arms.total && !swimmer.cycles.empty())
-    uncertainties[ComparedQuantity::arm_amplitudes] =
-        std::vector<double>(swimmer.cycles.back().arm_amplitudes.size(), *arms.total);
-  return uncertainties;
-}
-
-ComparedValues stated_errors_of(const RunRecord& run, const SwimmerRecord& swimmer,
-                                const CycleChoice& choice) {
-  ComparedValues errors = uncertainties_of(swimmer, choice);
-  if (!run.expected_error || !swimmer.uncertainty || choice.kind != CycleChoice::Kind::last) return errors;
-  const auto& [velocity, arms] = *swimmer.uncertainty;
-  const auto& [of_velocity, of_arms] = *run.expected_error;
-  errors[ComparedQuantity::velocity] = {std::hypot(of_velocity, velocity.transient.value_or(0))};
-  errors[ComparedQuantity::arm_amplitudes] =
-      std::vector<double>(swimmer.cycles.back().arm_amplitudes.size(),
-                          std::hypot(std::ranges::max(of_arms), arms.transient.value_or(0)));
-  return errors;
-}
-
-ComparedValues uncertainties_of(const Prediction& prediction) {
-  ComparedValues uncertainties;
-  if (prediction.uncertainty) uncertainties[ComparedQuantity::velocity] = {*prediction.uncertainty};
-  if (prediction.stroke_uncertainty) {
-    const auto& [d1, d2] = prediction.stroke_uncertainty->arm_amplitudes;
-    uncertainties[ComparedQuantity::arm_amplitudes] = {d1, d2};
-    if (prediction.sin_phase_shift != 0)
-      uncertainties[ComparedQuantity::sin_phase_shift] = {prediction.stroke_uncertainty->sin_phase_shift /
-                                                          std::abs(prediction.sin_phase_shift)};
-  }
-  return uncertainties;
-}
-
-ComparedValues swimming_of(const Prediction& prediction) {
-  ComparedValues values{{ComparedQuantity::velocity, {prediction.velocity}},
-                        {ComparedQuantity::arm_amplitudes, prediction.stroke.amplitude},
-                        {ComparedQuantity::sin_phase_shift, {prediction.sin_phase_shift}}};
-  if (const auto& vector = prediction.velocity_vector)
-    values[ComparedQuantity::velocity] = with_vector(prediction.velocity, *vector);
-  if (const auto& vector = prediction.angular_velocity)
-    values[ComparedQuantity::angular_velocity] = with_vector(vector->norm(), *vector);
-  return values;
 }
 
 const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::string& source) {

@@ -75,23 +75,19 @@ bool spans_decades(const std::vector<Series>& all) {
 
 }  // namespace
 
-void append_points_and_curves(const std::vector<PointGroup>& groups, const std::vector<Curve>& curves,
-                              std::optional<int> colour, Panel& panel) {
-  const int num_groups = static_cast<int>(groups.size());
-  for (int g = 0; g < num_groups; ++g) {
-    const PointGroup& group = groups[static_cast<std::size_t>(g)];
-    panel.series.push_back({.label = group.label,
-                            .x = group.x,
-                            .y = group.y,
-                            .errors = group.errors,
-                            .colour = colour.value_or(g),
-                            .shape = g});
+void append_marks_and_curves(const std::vector<Curve>& marks, const std::vector<Curve>& curves,
+                             std::optional<int> colour, Panel& panel) {
+  const int num_marks = static_cast<int>(marks.size());
+  for (int m = 0; m < num_marks; ++m) {
+    const Curve& curve = marks[static_cast<std::size_t>(m)];
+    panel.series.push_back(part_of(curve.points, Part::usable,
+                                   {.label = curve.label, .colour = colour.value_or(m), .shape = m}));
   }
   constexpr int first_open_shape = 4;  // predictions have open markers, runs filled markers
   for (int c = 0; c < static_cast<int>(curves.size()); ++c) {
     const Curve& curve = curves[static_cast<std::size_t>(c)];
     std::ranges::move(curve_series(curve.points, {.label = curve.label,
-                                                  .colour = colour.value_or(num_groups + c),
+                                                  .colour = colour.value_or(num_marks + c),
                                                   .shape = first_open_shape + c % 4,
                                                   .dash = c}),
                       std::back_inserter(panel.series));

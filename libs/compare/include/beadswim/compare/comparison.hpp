@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -14,13 +15,15 @@
 
 namespace beadswim {
 
+/// Quantities that are compared unless others are chosen.
+inline constexpr std::array default_quantities{ResultQuantity::velocity, ResultQuantity::arm_amplitudes,
+                                               ResultQuantity::sin_phase_shift};
+
 /// One swimmer of a run.
 struct RunSwimmer {
   std::string source;  ///< file of the run
   int id = 0;
-  ComparedValues swimming;  ///< contains all compared quantities
-  ComparedValues uncertainties =
-      {};  ///< relative uncertainties of `swimming`; quantities without one are absent
+  Results results;
   MotionScale scale = {};
   std::optional<Vec3> axis = {};  ///< direction in the box; vectors are compared in the swimmer's own axes
 };
@@ -30,9 +33,7 @@ struct Reference {
   std::string source;  ///< file of the reference
   std::string method;  ///< method of a prediction, or "run" for another run
   bool usable = true;  ///< false: the comparison is shown but does not affect the verdict
-  ComparedValues swimming;
-  ComparedValues uncertainties =
-      {};  ///< relative uncertainties of `swimming`; quantities without one are absent
+  Results results;
   double numerical_error = 0;  ///< error of velocities; 0 if the source states none [length/time]
   /// Direction of the swimmer in the box; nullopt: vectors are compared in axes of the box
   std::optional<Vec3> axis = {};
@@ -40,15 +41,15 @@ struct Reference {
 
 /// Quantities, tolerance and reference that determine the verdict.
 struct Criterion {
-  std::vector<ComparedQuantity> quantities;
+  std::vector<ResultQuantity> quantities;
   double tolerance = 0;      ///< largest accepted |relative error|
   std::size_t deciding = 0;  ///< index, in the list of references, of the one that determines the verdict
 };
 
 /// Comparison of one number of a run with the corresponding number of a reference.
 struct ComparisonRow {
-  ComparedQuantity quantity{};
-  std::optional<int> arm;  ///< number of the arm, 1 or 2, for arm amplitudes; otherwise empty
+  ResultQuantity quantity{};
+  std::optional<int> arm;  ///< number of the arm, from 1, for quantities of arms; otherwise empty
   std::string run_source;
   int swimmer = 0;
   std::string reference_source, method;
@@ -86,7 +87,7 @@ double relative_error(double difference, double reference);
 /// Returns the size up to which a value of a reference is a numerical error: by roundoff of bead positions,
 /// by the accuracy of bead velocities (1e-10 of MotionScale::speed), or as the reference states. The error of
 /// a phase is that of the smaller of two arm amplitudes, divided by this amplitude.
-double zero_threshold(const MotionScale& scale, const Reference& reference, ComparedQuantity quantity);
+double zero_threshold(const MotionScale& scale, const Reference& reference, ResultQuantity quantity);
 
 /// Returns the root mean square of `values`. There must be at least one value.
 double root_mean_square(std::span<const double> values);
@@ -95,15 +96,15 @@ double root_mean_square(std::span<const double> values);
 /// nullopt if there is none. The order of preference of the methods is inertia-corrected, multipole-ode,
 /// rpy-ode, rpy-perturbation, then all others. Among references of equal preference, the first is returned.
 std::optional<std::size_t> best_reference(std::span<const Reference> references,
-                                          std::span<const ComparedQuantity> quantities);
+                                          std::span<const ResultQuantity> quantities);
 
 /// Returns one row per number that both the run and a reference contain, ordered by quantity, arm and
 /// reference. Vectors that both contain are compared as vectors, those of the run after the
 /// shortest rotation of its axis onto that of the reference: the numbers of the row are the components
 /// along the vector of the reference, and the error is that of the whole vector. If the reference is zero
-/// within its numerical error, errors are relative to RunSwimmer::scale. A phase shift of arms without
-/// amplitude has no row. The verdict depends on the rows with decides == true: the rows of the reference with
-/// the index Criterion::deciding, if this reference is usable.
+/// within its numerical error, errors are relative to RunSwimmer::scale. The errors of angles are in radian.
+/// Phases of arms without amplitude have no row. The verdict depends on the rows with decides == true: the
+/// rows of the reference with the index Criterion::deciding, if this reference is usable.
 std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<const Reference> references,
                                            const Criterion& criterion);
 

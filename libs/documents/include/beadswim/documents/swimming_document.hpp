@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "beadswim/compare/comparison.hpp"
 #include "beadswim/compare/cycle_choice.hpp"
+#include "beadswim/compare/swimming.hpp"
 #include "beadswim/documents/prediction_document.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 
@@ -57,31 +57,11 @@ const Units& units_of(const SwimmingDocument& document);
 std::vector<int> swimmers_of(const RunRecord& run);
 std::vector<int> swimmers_of(const SwimmingDocument& document);
 
-/// Returns velocity and stroke of a swimmer of a run, averaged over the chosen cycles. Throws InputError if
-/// the run lacks a chosen cycle.
-ComparedValues swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
-                           const std::string& source);
-
 /// Returns the scales of the motion of a swimmer in the chosen cycles. The speed of beads follows from the
 /// Reynolds number, and the numerical error from the tolerance of sums, if the record states them. Throws
-/// InputError as above.
+/// InputError if the run lacks a chosen cycle.
 MotionScale motion_scale_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
                             const std::string& source);
-
-/// Returns the relative uncertainties that the record of a run states for the last cycle of a swimmer, also
-/// for the mean of the last cycles. Returns an empty result if it states none or if another cycle is chosen.
-ComparedValues uncertainties_of(const SwimmerRecord& swimmer, const CycleChoice& choice);
-
-/// Returns the relative errors that include the expected error of the run, if the record states it, and
-/// otherwise uncertainties_of().
-ComparedValues stated_errors_of(const RunRecord& run, const SwimmerRecord& swimmer,
-                                const CycleChoice& choice);
-
-/// Returns the relative uncertainties that a prediction states.
-ComparedValues uncertainties_of(const Prediction& prediction);
-
-/// Returns the predicted velocity and stroke.
-ComparedValues swimming_of(const Prediction& prediction);
 
 /// Returns the record of the swimmer with this id. Throws InputError if the run has no such swimmer; the
 /// message lists the ids of the run.

@@ -12,20 +12,13 @@
 
 namespace beadswim {
 
-/// Points with a common label.
-struct PointGroup {
-  std::string label;
-  std::vector<double> x{}, y{};
-  std::vector<double> errors{};  ///< half lengths of error bars; empty: none
-};
-
 struct CurvePoint {
   double x = 0, y = 0;
-  bool usable = true;  ///< false: the point is drawn faintly
-  double error = 0;    ///< half width of the band around the curve
+  bool usable = true;  ///< false: the point of a line is drawn faintly
+  double error = 0;    ///< half length of the bar at a mark, or half width of the band around a line
 };
 
-/// Points with a common label that are connected by a line, in order of x.
+/// Points with a common label, in order of x if a line connects them.
 struct Curve {
   std::string label;
   std::vector<CurvePoint> points{};
@@ -38,11 +31,12 @@ struct Level {
   double error = 0;  ///< half width of the band around the level
 };
 
-/// Appends to the panel each group as filled markers, then each curve as a line. A curve with few points also
-/// has open markers. Parts of curves that are not usable (CurvePoint::usable) are faint. All series have the
-/// colour `colour`, an index in the palette. Without `colour`, each series has its own colour.
-void append_points_and_curves(const std::vector<PointGroup>& groups, const std::vector<Curve>& curves,
-                              std::optional<int> colour, Panel& panel);
+/// Appends to the panel each element of `marks` as filled markers, then each curve as a line. A curve with
+/// few points also has open markers. Parts of curves that are not usable (CurvePoint::usable) are faint. All
+/// series have the colour `colour`, an index in the palette. Without `colour`, each series has its own
+/// colour.
+void append_marks_and_curves(const std::vector<Curve>& marks, const std::vector<Curve>& curves,
+                             std::optional<int> colour, Panel& panel);
 
 /// Appends to the panel one horizontal line per level, from x = `from` to x = `to`, each with its own dash
 /// pattern.
