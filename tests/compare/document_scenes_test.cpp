@@ -60,9 +60,8 @@ TEST(ScenesOfDocuments, OlderDocumentsAgree) {
 TEST(ScenesOfDocuments, OlderDocumentsAreComparedByWhatTheyState) {
   PredictionDocument prediction = older_prediction();
   prediction.predictions[0].settings = {{"period", 1000.0}, {"amplitude", 0.3}, {"phase", 1.0}};
-  const Differences expected{{"period", "2000", "1000"},
-                             {"amplitude", "0.2", "0.3, 0"},
-                             {"phase", "1.5", "1"}};
+  const Differences expected{
+      {"period", "2000", "1000"}, {"amplitude", "0.2", "0.3, 0"}, {"phase", "1.5", "1"}};
   EXPECT_EQ(scene_differences(older_record(), prediction), expected);
 }
 
@@ -71,9 +70,8 @@ TEST(ScenesOfDocuments, AnOlderRunIsComparedWithAScene) {
   prediction.scene = layout_of_two();
   prediction.scene->domain.box.reset();
   prediction.scene->swimmers.erase(prediction.scene->swimmers.begin());
-  const Differences expected{
-      {"domain", "1200 x 800 x 800, free-slip, free-slip, free-slip", "open space"},
-      {"swimmers", "2 with id 0 to 7", "1 with id 7"}};
+  const Differences expected{{"domain", "1200 x 800 x 800, free-slip, free-slip, free-slip", "open space"},
+                             {"swimmers", "2 with id 0 to 7", "1 with id 7"}};
   EXPECT_EQ(scene_differences(older_record(), prediction), expected);
 }
 
@@ -94,8 +92,7 @@ TEST(ScenesOfDocuments, TwoScenesAreComparedInFull) {
   prediction.scene->fluid.density = 2;
   prediction.scene->swimmers[0].axis = Vec3::UnitY();
   const Differences expected{
-      {"fluid", "density 1, viscosity 0.3333333333333333",
-       "density 2, viscosity 0.3333333333333333"},
+      {"fluid", "density 1, viscosity 0.3333333333333333", "density 2, viscosity 0.3333333333333333"},
       {"placing", "swimmer 0 with axis (1, 0, 0)", "swimmer 0 with axis (0, 1, 0)"}};
   EXPECT_EQ(scene_differences(record, prediction), expected);
 }

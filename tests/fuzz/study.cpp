@@ -1,6 +1,6 @@
-#include "variation_text.hpp"
 #include "accepted.hpp"
 #include "beadswim/documents/layout_document.hpp"
+#include "variation_text.hpp"
 
 // Fuzz target: beadswim-layout vary. The input is {"over": [VARIATION, ...], "together": true, "layout":
 // {...}}.

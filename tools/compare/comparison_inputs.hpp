@@ -22,7 +22,7 @@ struct ComparisonRequest {
   std::vector<ResultQuantity> quantities;
   double tolerance = 0;  ///< largest accepted |relative error|
   CycleChoice cycle;
-  std::vector<std::string> allowed_differences;  ///< properties in which run and reference may differ
+  std::vector<std::string> allowed_differences;    ///< properties in which run and reference may differ
   bool shows_all = false;                          ///< the table on standard error has all rows
 };
 

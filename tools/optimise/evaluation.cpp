@@ -6,6 +6,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
+#include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/plan/expected_errors.hpp"
 #include "beadswim/run/reason_against.hpp"
 #include "beadswim/run/run.hpp"

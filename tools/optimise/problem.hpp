@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "evaluation.hpp"
 #include "beadswim/study/quantity.hpp"
+#include "evaluation.hpp"
 #include "search.hpp"
 
 // Optimisation problem: free values with their bounds, the objective, and constraints.

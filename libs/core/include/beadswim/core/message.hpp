@@ -148,8 +148,7 @@ class IncomingMessage {
   void get(std::vector<T>& list) {
     std::size_t size = 0;
     get(size);
-    if (size > bytes_left())
-      throw DataError("data from another rank or from a checkpoint end too early");
+    if (size > bytes_left()) throw DataError("data from another rank or from a checkpoint end too early");
     list.resize(size);
     for (T& value : list) get(value);
   }
@@ -157,8 +156,7 @@ class IncomingMessage {
   void get(std::optional<T>& value) {
     std::uint8_t has_value = 0;  // not bool, because a damaged file may contain any byte
     get(has_value);
-    if (has_value > 1)
-      throw DataError("data from another rank or from a checkpoint are damaged");
+    if (has_value > 1) throw DataError("data from another rank or from a checkpoint are damaged");
     if (has_value == 1) get(value.emplace());
   }
 
