@@ -29,6 +29,20 @@ struct Limits {
   }
 };
 
+struct Link {
+  std::array<int, 2> beads{};
+  int multiple = 1;
+  std::string word{};
+  Vec3 direction = Vec3::UnitX();
+
+  static void visit_fields(auto&& visit, auto& link) {
+    visit("beads", link.beads, counted_from_one);
+    visit("multiple", link.multiple, omitted_if(1));
+    visit("word", link.word, omitted_when(link.multiple == 1));
+    visit("direction", link.direction, of_unit_length);
+  }
+};
+
 namespace {
 
 struct Cycle : CycleStatistics {
@@ -137,20 +151,6 @@ TEST(FieldsInJson, KeepTheirValuesWhereAKeyIsMissing) {
   Json{{"error", nullptr}, {"steps", {3}}}.get_to(limits);
   EXPECT_EQ(Json(limits).dump(), R"({"largest":1.5,"gap":2.0,"mach":0.5,"steps":[3],"error":null})");
 }
-
-struct Link {
-  std::array<int, 2> beads{};
-  int multiple = 1;
-  std::string word;
-  Vec3 direction = Vec3::UnitX();
-
-  static void visit_fields(auto&& visit, auto& link) {
-    visit("beads", link.beads, counted_from_one);
-    visit("multiple", link.multiple, omitted_if(1));
-    visit("word", link.word, omitted_when(link.multiple == 1));
-    visit("direction", link.direction, of_unit_length);
-  }
-};
 
 TEST(FieldsInJson, HaveTheFormThatTheirMarksSay) {
   const Link link{.beads = {0, 4}};
