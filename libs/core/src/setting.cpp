@@ -1,7 +1,5 @@
 #include "beadswim/core/setting.hpp"
 
-#include <fmt/format.h>
-
 namespace beadswim {
 namespace {
 
@@ -18,7 +16,3 @@ void set_setting_names(std::string (*name)(Setting)) {
 }
 
 }  // namespace beadswim
-
-// The formatter of settings in messages calls this function, which <fmt/core.h> declares only.
-template auto fmt::formatter<fmt::string_view>::format(const fmt::string_view& text, fmt::format_context& context)
-    const -> decltype(context.out());
