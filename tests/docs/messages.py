@@ -23,7 +23,7 @@ REMEDY = re.compile(
 REMEDY_ELSEWHERE = re.compile(
     r"cannot be (read|written|created|copied|replaced|started)|waiting for a process|HDF5|dataset|attribute|regular file|has the schema|built in"
     r"|more than 256|leads to|not varied|is not a finite number|smaller than|no angle|too far apart|before or after the colon|is invalid$|verify"
-    r"|cannot (treat|run)|no method of theory|memory needs|only bend the swimmer|does not know the value|no model can run|presets belong"
+    r"|cannot (treat|run)|no method of theory|is a failure|has no document|is damaged$|memory needs|only bend the swimmer|does not know the value|no model can run|presets belong"
 )
 
 
@@ -78,14 +78,14 @@ def statements(text):
 
 
 def texts(root):
-    """Returns place, texts of two words or more, and whether it throws, of each statement of the sources."""
+    """Returns place, texts of two words or more, and whether it throws (DataError apart, to which the function that catches it adds the remedy), of each statement of the sources."""
     sources = {p.relative_to(root): p.read_text() for f in ["libs", "tools"] for p in sorted((root / f).rglob("*.[ch]pp"))}
     names = re.findall(r'\{(Setting::\w+), "([^"]+)"\}', "".join(sources.values()))  # in words, and then special flags
     flags = {s: name if "-" in name else "--" + name.removeprefix("the ").lower().replace(" ", "-") for s, name in names}
     for path, source in sources.items():
         for line, code in statements(source):
             said = [" ".join(words.split()).strip(" :;,") for _, words, _ in joined(RUN.finditer(code), code, flags)]
-            yield f"{path}:{line}", [words for words in said if len(re.findall(r"[A-Za-z]{2,}", words)) >= 2], "throw " in RUN.sub("", code)
+            yield f"{path}:{line}", [words for words in said if len(re.findall(r"[A-Za-z]{2,}", words)) >= 2], "throw " in RUN.sub("", code) and "DataError(" not in code
 
 
 def quotes(page):

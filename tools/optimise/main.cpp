@@ -45,7 +45,8 @@ std::vector<std::string> mobility_models() {
 void add_objective(CLI::App& program, const std::string& flag, std::optional<ResultQuantity>& objective,
                    const std::string& help) {
   add_word(program, flag, outcome_names(), "", help,
-           [&objective](const std::string& word) { objective = from_text<ResultQuantity>(word); });
+           [&objective](const std::string& word) { objective = from_text<ResultQuantity>(word); })
+      ->type_name("NAME");
 }
 
 std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
@@ -64,9 +65,9 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
       ->type_name("NAME[,NAME...]=FROM:TO")
       ->required()
       ->allow_extra_args(false);
-  add_objective(*program, "--maximise", flags.maximise, "Result that is to be as large as possible");
+  add_objective(*program, "--maximise", flags.maximise, "Result, from the list below, that is to be as large as possible");
   add_objective(*program, "--minimise", flags.minimise,
-                "Result that is to be as small as possible; velocity: with its sign");
+                "Result, from the list below, that is to be as small as possible; velocity: with its sign");
   program
       ->add_option(
           "--subject-to", flags.constraints,
@@ -118,6 +119,8 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
               "beadswim-optimise layout.json --free amplitude=0.01:0.3 --free stiffness=0.01:0.3 \\\n"
               "--maximise efficiency --subject-to power=:0.0001 --verify-by multipole-ode >efficient.json"},
              "optimise.md");
+  program->footer("Results:\n" + wrapped(fmt::format("{}", fmt::join(outcome_names(), ", ")), 2) + "\n" +
+                  program->get_footer());
   return program;
 }
 

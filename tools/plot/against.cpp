@@ -102,10 +102,12 @@ Drawing add_against_flags(CLI::App& command) {
       ->required();
   command
       .add_option("--y", flags->y,
-                  "Result on the vertical axis; with --colour a second quantity of the study, for a map")
-      ->type_name(fmt::format("{}|NAME", fmt::join(all_names<ResultQuantity>(), "|")))
+                  "Result, from the list below, on the vertical axis; with --colour a second quantity of the "
+                  "study, for a map")
+      ->type_name("NAME")
       ->capture_default_str();
-  add_choice(command, "--colour", flags->colour, "Result that a map shows by colours");
+  add_choice(command, "--colour", flags->colour, "Result, from the list below, that a map shows by colours")
+      ->type_name("NAME");
   command
       .add_option("--group-by", flags->group_by,
                   "Quantity of the study for whose values separate curves and marks are drawn")
@@ -113,6 +115,7 @@ Drawing add_against_flags(CLI::App& command) {
       ->default_str("none");
   add_choice(command, "--log", flags->log, "Logarithmic axes");
   add_result_flags(command, flags->results);
+  command.footer("Results:\n" + wrapped(fmt::format("{}", fmt::join(all_names<ResultQuantity>(), ", ")), 2) + "\n");
   return [flags](const PlotFiles& files) { return Drawn(drawn_figure(files, *flags)); };
 }
 

@@ -51,7 +51,9 @@ int run(int argc, const char* const* argv) {
         ->type_name("FILE.csv")
         ->default_str("none");
     commands.emplace_back(command, kind.add_flags(*command));
+    const std::string of_kind = command->get_footer();
     set_footer(*command, {kind.examples.begin(), kind.examples.end()}, "figures.md");
+    command->footer(of_kind + command->get_footer());
   }
   set_footer(*program,
              {"beadswim-plot stroke run.json theory.json -o stroke.svg",

@@ -177,7 +177,7 @@ RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::st
 const PlannedRun& choose_run(const RunPlan& plan) {
   if (plan.choice) return plan.runs[*plan.choice];
   if (!plan.best)
-    throw InputError(Setting::model, fmt::format("no model can run this scene with these settings. {}",
+    throw InputError(Setting::plan, fmt::format("no model can run this scene with these settings. {}",
                                                  fmt::join(refusals(plan), ". ")));
   const PlannedRun& best = plan.runs[*plan.best];
   if (plan.request.has_advice && !plan.request.tolerance) return best;

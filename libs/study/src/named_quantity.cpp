@@ -39,8 +39,8 @@ const std::vector<NamedQuantity>& table() {
        "Amplitudes A and B of the driving forces on beads 1 and 3 [mass length/time^2]", "A|A,B", 2,
        non_negative, &ThreeBeadDriving::amplitude},
       {"phase", driving_law,
-       "Phase alpha by which the force on bead 3 is ahead of that on bead 1, as 1.5 or 90deg; negative: "
-       "--phase=-0.5 [rad]",
+       "Phase alpha by which the force on bead 3 is ahead of that on bead 1, as 1.5 or 90deg; write a "
+       "negative phase after an equals sign [rad]",
        "ALPHA", 1, angle, &ThreeBeadDriving::phase, "the preset's, else pi/2"},
       {"period", driving_law, "Period T of the driving forces [time]", "T", 1, positive,
        &ThreeBeadDriving::period},

@@ -16,7 +16,7 @@ constexpr auto special_flags = std::to_array<NamedValue<Setting>>({
     {Setting::friction, "--friction"},
     {Setting::lubrication, "--lubrication"},
     {Setting::output, "-o"},
-    {Setting::plan, "beadswim-run --plan"},
+    {Setting::plan, "--plan"},
     {Setting::ranks, "mpirun -n"},
     {Setting::refinement, "--refine"},
     {Setting::repair, "--repair"},
