@@ -1,5 +1,6 @@
 # Prints the tables of docs/speed-against-error.md:
-#   speed-against-error-tables.sh FOLDER
+#   speed-against-error-tables.sh FOLDER [CELLS]
+# The second table has the lattice runs with $cells cells per radius, or all of them if $cells is null.
 # Input: one object per scene, {title, runs: [records], reference: record}. Errors are root mean squares over
 # swimmers, divided by that of the reference, and root mean squares of these over runs and arms; costs are medians, in core-seconds per cycle.
 include "percentages";
@@ -35,6 +36,6 @@ map(. + {settings: settings, uncertainty: uncertainty}) as $scenes
         else "none" end)) + ["\(.uncertainty | percents) %"] | row),
   "",
   (["run"] + ($scenes | map(.title)) | head),
-  ([$scenes[].settings[] | {name, rank}] | unique_by(.rank)[] | . as $setting
+  ([$scenes[].settings[] | {name, rank}] | unique_by(.rank)[] | select($cells == null or (.rank | .[0] == 0 or .[-1] == $cells)) | . as $setting
     | ["\(.name)"] + ($scenes | map([.settings[] | select(.rank == $setting.rank)][0]
         | if . then "\(.v | percents), \(.arms | percents); \(.cost | number)" else "-" end)) | row)

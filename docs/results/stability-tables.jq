@@ -1,7 +1,7 @@
 # Prints the tables of docs/swarm-stability.md from all records of stability.sh (jq -s).
 def rounded(digits): pow(10; digits) as $p | . * $p | round / $p | if . == 0 then 0 else . end;
 def row: "| " + (map(tostring) | join(" | ")) + " |";
-def table($head): [($head | row), ($head | map("---") | row)] + map(row) | .[];
+def table($head): [($head | row), "|" + ($head | map("---|") | add)] + map(row) | .[];
 def rms: map(. * .) | add / length | sqrt;
 def both: map(tostring) | join(", ");
 def words: sub("abreast"; "swimmers side by side") | sub("ahead"; "ahead by 1e-3") | sub("k = "; "stiffness ");

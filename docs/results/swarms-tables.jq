@@ -1,7 +1,7 @@
 # Prints the tables of docs/swarm-figures.md from all records of swarms.sh (jq -s).
 def rounded(digits): pow(10; digits) as $p | . * $p | round / $p | if . == 0 then 0 else . end;
 def row: "| " + (map(tostring) | join(" | ")) + " |";
-def table($head): [($head | row), ($head | map("---") | row)] + map(row) | .[];
+def table($head): [($head | row), "|" + ($head | map("---|") | add)] + map(row) | .[];
 def bound: if . == 0 then "0" elif . < 1e-6 then "< 1e-6" else rounded(4) end;
 def setting: "\(.cells_per_radius), \(.precision)";
 def words: sub("^one cell"; "one swimmer in its unit cell") | sub("^nine, each moved by"; "nine swimmers, each displaced by") | sub("^reference"; "k = 0.2") | sub("k = "; "stiffness ");
