@@ -11,6 +11,6 @@ def percent: if . == null then "-" elif . < 5e-7 then "0" else 100 * . | (if . >
 def outcome: if .status == "finished" then "finished" + (if .warned then " with warning" else "" end)
   else {refused: "rejected", "stopped-speed": "stopped: beads too fast", failed: "stopped: unphysical state"}[.status] end;
 def row: "| \(.group) | \(.case) | `\(.flags | sub("--model "; "") | sub("--multipole-order "; "") | sub(" --.*"; ""))` | \(outcome) | \(velocity | percent), \(stroke | percent) | \(.reference.description // "-") |";
-# Cases that the page leaves out, because they repeat others.
-def is_shown: [.group, .case, .flags] | map(tostring) | join(" ") | test("1e4 times.*(oseen|rpy )|1e8 times.*(oseen|rpy )|amplitude 1.5 .*multipole|gap of 0.1 radii, along|number (1|30) |half-space .*lbm") | not;
+# False for cases that repeat others, and for rejected scenes, which the page lists in its text.
+def is_shown: .status != "refused" and ([.group, .case, .flags] | map(tostring) | join(" ") | test("1e4 times.*(oseen|rpy )|1e8 times.*(oseen|rpy )|amplitude 1.5 .*multipole|gap of 0.1 radii, along|number (1|30) |half-space .*lbm") | not);
 "| group | case | model, order | outcome of the run | error of velocity, strokes [%] | reference |", "|---|---|---|---|---|---|", (group_by(.group)[][] | select(is_shown) | row)
