@@ -4,7 +4,7 @@
 usage: docs/formats/generate.py [--check]     --check writes nothing; exit status 1 if a page differs from its schema
 
 Each key of a schema needs a description, which for numbers ends with the unit in brackets ([1]: no unit). A definition that several
-schemas share has its table on the page of the first of them.
+schemas share has its table on the page of the first of them. The page of a later version of a document names the keys that have not changed.
 """
 import json
 import sys
@@ -14,6 +14,7 @@ here = Path(__file__).resolve().parent
 schemas = here.parent.parent / "schemas"
 pages = {"run": "run-record"}  # other pages have the names of their schemas
 first_schemas = ["layout", "run"]  # their pages hold the tables that other pages link to
+earlier_versions = {"layout-2": "layout"}
 begin = "<!-- Below: from {}, by docs/formats/generate.py -->"
 end = "<!-- end of {} -->"
 
@@ -28,8 +29,9 @@ class Fault(Exception):
 class Page:
     """The reference of one schema: a table of the document's keys, and one of each object that has a definition."""
 
-    def __init__(self, schema, homes=None):
+    def __init__(self, schema, homes=None, earlier=None):
         self.schema = schema
+        self.unchanged = unchanged_keys(schema, earlier) if earlier else []  # the page of the earlier version describes them
         self.homes = homes or {}  # page of each definition that has its table elsewhere, by name and text
         self.described = {}  # row of this page that states the meaning of a definition
         self.tables = []  # (name and meaning of the object, rows)
@@ -56,7 +58,7 @@ class Page:
 
     def add_keys(self, path, schema, rows):
         for key, value in schema.get("properties", {}).items():
-            if value is True:
+            if value is True or (schema is self.schema and key in self.unchanged):
                 continue  # another schema describes this key
             place = f"{path}.{key}" if path else key
             self.add_row(place, value, key in schema.get("required", []), rows)
@@ -156,6 +158,24 @@ class Page:
         return "\n".join(lines)
 
 
+def expanded(value, schema):
+    """Returns a part of a schema with its references replaced by the definitions."""
+    if isinstance(value, list):
+        return [expanded(element, schema) for element in value]
+    if not isinstance(value, dict):
+        return value
+    if "$ref" in value:
+        value = {**schema["definitions"][value["$ref"].removeprefix("#/definitions/")], **value, "$ref": None}
+    return {key: expanded(element, schema) for key, element in value.items()}
+
+
+def unchanged_keys(schema, earlier):
+    """Returns the keys of a document that are the same in its earlier version."""
+    def described(key, version):
+        return expanded(version["properties"].get(key), version), key in version["required"]
+    return [key for key in schema["properties"] if described(key, schema) == described(key, earlier)]
+
+
 def heading_of(name):
     return name.replace("_", " ").capitalize()
 
@@ -208,6 +228,10 @@ def page_with(text, source, reference):
     return text[:text.index(first)] + first + "\n" + reference + "\n\n" + text[text.index(last):]
 
 
+def schema_of(name):
+    return json.loads((schemas / f"{name}.schema.json").read_text(encoding="utf-8"))
+
+
 def main(arguments):
     if arguments not in ([], ["--check"]):
         sys.exit(__doc__)
@@ -221,8 +245,13 @@ def main(arguments):
             if not page.exists():
                 raise Fault(f"has no page {page.name}")
             now = page.read_text(encoding="utf-8")
-            reference = Page(json.loads(path.read_text(encoding="utf-8")), homes)
-            wanted = page_with(now, source, reference.text())
+            earlier = earlier_versions.get(name)
+            reference = Page(schema_of(name), homes, schema_of(earlier) if earlier else None)
+            text = reference.text()
+            if reference.unchanged:
+                keys = ", ".join(f"`{key}`" for key in reference.unchanged)
+                text = f"\nThese keys are those of [version 1]({earlier_versions[name]}.md#keys): {keys}.\n" + text
+            wanted = page_with(now, source, text)
             homes |= {reference.key_of(name): page.name for name in reference.named}
         except Fault as fault:
             wrong += 1
