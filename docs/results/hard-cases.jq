@@ -19,7 +19,7 @@ def shown: {
   "bead density": "^(0.1, τ|100 times)",
   "contact at the start": "R/4, 4|e-05 R, 4",
   "driving": "^A = 1.2|A = 10$",
-  "levels of cells": "^τ = (0.52|4)$|5, mr$|20, T",
+  "levels of cells": "^τ = 4$|20, T",
   "narrow box": "^1[02] wide, 4",
   "places": "diagonal, across",
   "relaxation time": "^τ = (0.52|4|6)$",
