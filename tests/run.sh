@@ -1,7 +1,7 @@
 #!/bin/bash
 # Installs missing packages, builds Beadswim and runs the tests. The output ends with the summary of ctest.
 #   tests/run.sh
-# Takes about 20 minutes on two cores, half of them for the build, and 2 more minutes if packages are missing.
+# Takes about 15 minutes on two cores, two thirds of them for the build, and 2 more minutes if packages are missing.
 # The environment variable BEADSWIM_PRESET selects a preset of CMakePresets.json (default: release).
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -80,31 +80,29 @@ RunSettings short_run(RunModel model) {
 }
 
 const CheckpointContents& mobility_run() {
-  static const CheckpointContents contents =
-      contents_after("null", short_run(RunModel::rpy),
-                     {.sections = {{"program", ""},
-                                   {"settings", ""},
-                                   {"layout", ""},
-                                   {"moment", ""},
-                                   {"overdamped", ""},
-                                   {"record", ""},
-                                   {"trajectory", ""}}});
+  static const CheckpointContents contents = contents_after("null", short_run(RunModel::rpy),
+                                                            {.sections = {{"program", ""},
+                                                                          {"settings", ""},
+                                                                          {"layout", ""},
+                                                                          {"moment", ""},
+                                                                          {"overdamped", ""},
+                                                                          {"record", ""},
+                                                                          {"trajectory", ""}}});
   return contents;
 }
 
 const CheckpointContents& lattice_run() {
-  static const CheckpointContents contents =
-      contents_after(R"({"lengths":[24,12,12],"boundary":["periodic","periodic","periodic"]})",
-                     short_run(RunModel::lbm),
-                     {.sections = {{"program", ""},
-                                   {"settings", ""},
-                                   {"layout", ""},
-                                   {"moment", ""},
-                                   {"swimmers", ""},
-                                   {"record", ""},
-                                   {"trajectory", ""}},
-                      .cells = Index3(24, 12, 12),
-                      .components = 19});
+  static const CheckpointContents contents = contents_after(
+      R"({"lengths":[24,12,12],"boundary":["periodic","periodic","periodic"]})", short_run(RunModel::lbm),
+      {.sections = {{"program", ""},
+                    {"settings", ""},
+                    {"layout", ""},
+                    {"moment", ""},
+                    {"swimmers", ""},
+                    {"record", ""},
+                    {"trajectory", ""}},
+       .cells = Index3(24, 12, 12),
+       .components = 19});
   return contents;
 }
 

@@ -129,7 +129,8 @@ TEST(RunPlan, AsksForTheSpeedOnlyIfALatticeCanRun) {
   request.chosen = {Setting::sum_tolerance};
   const RunPlan plan = plan_of(request, communicator);
   EXPECT_EQ(asked, 1);
-  for (const PlannedRun& run : plan.runs) EXPECT_THAT(run.refused, testing::HasSubstr("mobility models only"));
+  for (const PlannedRun& run : plan.runs)
+    EXPECT_THAT(run.refused, testing::HasSubstr("mobility models only"));
 }
 
 }  // namespace

@@ -81,7 +81,8 @@ TEST(RunSettings, HaveRanges) {
   EXPECT_THAT(fault_of([](RunSettings& s) { s.lattice.relaxation_time = 0.5; }),
               testing::HasSubstr("0.5 is not above 0.5, so that the viscosity"));
   EXPECT_THAT(fault_of([](RunSettings& s) { s.frames_per_cycle = 3; }), testing::HasSubstr("between 4 and"));
-  EXPECT_THAT(fault_of([](RunSettings& s) { s.lattice.refinement = 9; }), testing::HasSubstr("between 1 and"));
+  EXPECT_THAT(fault_of([](RunSettings& s) { s.lattice.refinement = 9; }),
+              testing::HasSubstr("between 1 and"));
 }
 
 /// Catches settings that are accepted and then have no effect.

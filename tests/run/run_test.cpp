@@ -106,7 +106,8 @@ TEST(Run, ContinuesFromItsCheckpointWithTheSameBits) {
   MPI_Barrier(world.get());
   if (!world.is_root()) return;
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path()))
-    if (entry.path().filename().string().starts_with("beadswim-run-test")) std::filesystem::remove(entry.path());
+    if (entry.path().filename().string().starts_with("beadswim-run-test"))
+      std::filesystem::remove(entry.path());
 }
 
 /// Catches a failure after which the caller cannot go on: on one rank run() must throw it.

@@ -44,9 +44,9 @@ std::vector<std::string> mobility_models() {
 
 void add_objective(CLI::App& program, const std::string& flag, std::optional<ResultQuantity>& objective,
                    const std::string& help) {
-  add_word(program, flag, outcome_names(), "", help,
-           [&objective](const std::string& word) { objective = from_text<ResultQuantity>(word); })
-      ->type_name("NAME");
+  add_word(program, flag, outcome_names(), "", help, [&objective](const std::string& word) {
+    objective = from_text<ResultQuantity>(word);
+  })->type_name("NAME");
 }
 
 std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
@@ -65,7 +65,8 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
       ->type_name("NAME[,NAME...]=FROM:TO")
       ->required()
       ->allow_extra_args(false);
-  add_objective(*program, "--maximise", flags.maximise, "Result, from the list below, that is to be as large as possible");
+  add_objective(*program, "--maximise", flags.maximise,
+                "Result, from the list below, that is to be as large as possible");
   add_objective(*program, "--minimise", flags.minimise,
                 "Result, from the list below, that is to be as small as possible; velocity: with its sign");
   program

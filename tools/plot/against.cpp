@@ -115,7 +115,8 @@ Drawing add_against_flags(CLI::App& command) {
       ->default_str("none");
   add_choice(command, "--log", flags->log, "Logarithmic axes");
   add_result_flags(command, flags->results);
-  command.footer("Results:\n" + wrapped(fmt::format("{}", fmt::join(all_names<ResultQuantity>(), ", ")), 2) + "\n");
+  command.footer("Results:\n" + wrapped(fmt::format("{}", fmt::join(all_names<ResultQuantity>(), ", ")), 2) +
+                 "\n");
   return [flags](const PlotFiles& files) { return Drawn(drawn_figure(files, *flags)); };
 }
 

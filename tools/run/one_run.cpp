@@ -21,8 +21,8 @@ void announce(const ModelPlan& plan, const RunTask& task, const RunOptions& opti
   if (options.progress != ProgressStyle::none) {
     print_message(plan.announcement);
     if (task.checkpoint)
-      print_message(
-          fmt::format("continuing from the checkpoint {}, step {}", task.checkpoint->path(), task.steps_done));
+      print_message(fmt::format("continuing from the checkpoint {}, step {}", task.checkpoint->path(),
+                                task.steps_done));
   }
   warn(plan.warnings);
 }
@@ -30,9 +30,9 @@ void announce(const ModelPlan& plan, const RunTask& task, const RunOptions& opti
 /// Prints how the run can be continued from its last checkpoint.
 void print_restart_flag(const std::string& checkpoint, const std::string& trajectory) {
   if (checkpoint.empty()) return;
-  print_message(fmt::format(
-      "the state is saved; continue with --restart {}",
-      trajectory_of(checkpoint) == trajectory ? checkpoint : checkpoint + " -o " + trajectory));
+  print_message(
+      fmt::format("the state is saved; continue with --restart {}",
+                  trajectory_of(checkpoint) == trajectory ? checkpoint : checkpoint + " -o " + trajectory));
 }
 
 /// Gives the task the settings of the cheapest run within the tolerance. Returns the tolerance. Collective.
@@ -43,7 +43,8 @@ double choose_settings(RunTask& task, const RunOptions& options, const Communica
   task.settings = planned.settings;
   if (communicator.is_root() && options.progress != ProgressStyle::none)
     print_message(fmt::format(
-        "starting the cheapest run within --tolerance: {}, with an error of up to {}, typically {}, and a cost of "
+        "starting the cheapest run within --tolerance: {}, with an error of up to {}, typically {}, and a "
+        "cost of "
         "{:.3g} core-seconds",
         settings_text(planned.settings, options.chosen), in_percent(planned.error.limit.largest()),
         in_percent(planned.error.typical.largest()), planned.core_seconds));
@@ -77,7 +78,8 @@ std::optional<StopRequest> stop_request(const RunOptions& options, double start)
           *options.time_limit)};
 }
 
-std::unique_ptr<ModelPlan> plan_of(RunTask& task, const RunOptions& options, const Communicator& communicator) {
+std::unique_ptr<ModelPlan> plan_of(RunTask& task, const RunOptions& options,
+                                   const Communicator& communicator) {
   constexpr double usual_accepted_error = 0.1;
   const double accepted = task.settings.model == RunModel::automatic
                               ? choose_settings(task, options, communicator)

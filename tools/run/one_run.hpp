@@ -32,12 +32,14 @@ std::optional<StopRequest> stop_request(const RunOptions& options, double start)
 /// Returns the description of the run of a task, with its expected errors. If the model is auto, plans all
 /// possible runs before and gives the task the settings of the cheapest run whose expected error is at most
 /// that of --tolerance. Throws InputError on all ranks if the model cannot treat the layout. Collective.
-std::unique_ptr<ModelPlan> plan_of(RunTask& task, const RunOptions& options, const Communicator& communicator);
+std::unique_ptr<ModelPlan> plan_of(RunTask& task, const RunOptions& options,
+                                   const Communicator& communicator);
 
 /// Runs one layout: prints warnings, progress, and how to continue after an early stop. Returns the record
 /// with the provenance of this program. `start`: MPI_Wtime from which --time-limit counts [s]. Throws
-/// InputError on all ranks of the communicator, before the run begins. If a rank fails later, all ranks of the
-/// program are aborted. `failures`: communicator of all ranks of the program, for nothing else. Collective.
+/// InputError on all ranks of the communicator, before the run begins. If a rank fails later, all ranks of
+/// the program are aborted. `failures`: communicator of all ranks of the program, for nothing else.
+/// Collective.
 RunRecord run_alone(RunTask task, const RunOptions& options, double start, const Communicator& communicator,
                     const Communicator& failures);
 

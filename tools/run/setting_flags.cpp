@@ -32,8 +32,8 @@ CLI::Validator whole_validator(const SettingRow& row) {
 CLI::Validator validator_with_words(const SettingRow& row) {
   const auto fault = [row](const std::string& text) -> std::string {
     if (text == row.word_of_zero || text == row.word_of_none || whole_validator(row)(text).empty()) return {};
-    return fmt::format("use {}, {}, or a whole number from {} to {}", row.word_of_zero, row.word_of_none, row.low,
-                       row.high);
+    return fmt::format("use {}, {}, or a whole number from {} to {}", row.word_of_zero, row.word_of_none,
+                       row.low, row.high);
   };
   return CLI::Validator(fault, "");
 }

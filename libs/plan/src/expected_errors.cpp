@@ -36,11 +36,11 @@ ExpectedErrors lattice_errors(const SceneFacts& facts, const SceneOnLattice& on_
 
 ExpectedErrors mobility_errors(const SceneFacts& facts, const RunSettings& settings) {
   const MobilityModel model = *mobility_model(settings.model);
-  return {
-      .total = mobility_scene_error(facts, model, settings.mobility).limit,
-      .resolution = {.velocity = velocity_error_of_steps(model, settings.mobility) + position_roundoff(facts)},
-      .wander = {},
-      .box = box_changes(facts)};
+  return {.total = mobility_scene_error(facts, model, settings.mobility).limit,
+          .resolution = {.velocity =
+                             velocity_error_of_steps(model, settings.mobility) + position_roundoff(facts)},
+          .wander = {},
+          .box = box_changes(facts)};
 }
 
 }  // namespace
@@ -62,10 +62,10 @@ void add_expected_errors(ModelPlan& plan, const Layout& layout, double accepted)
   if (error.largest() <= accepted) return;
   plan.warnings.push_back(
       {"expected-error",
-       fmt::format(
-           "the velocity is expected to be wrong by {} and the arm amplitudes by {}; beadswim-run {} lists runs "
-           "with smaller errors",
-           in_percent(error.velocity), in_percent(error.largest_of_arms()), Setting::plan)});
+       fmt::format("the velocity is expected to be wrong by {} and the arm amplitudes by {}; beadswim-run {} "
+                   "lists runs "
+                   "with smaller errors",
+                   in_percent(error.velocity), in_percent(error.largest_of_arms()), Setting::plan)});
 }
 
 }  // namespace beadswim

@@ -71,7 +71,8 @@ LatticeSpeed speed_of_this_machine(const std::function<void(const std::string&)>
   if (text.empty()) {
     if (communicator.is_root())
       message(
-          "measuring how fast this machine updates lattice cells; this measurement is made once and takes some "
+          "measuring how fast this machine updates lattice cells; this measurement is made once and takes "
+          "some "
           "seconds");
     const LatticeSpeed speed = LatticeSpeed::measured(communicator);
     if (communicator.is_root()) write_cache(lattice_speed_to_json(speed), communicator.size());

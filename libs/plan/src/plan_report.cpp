@@ -31,8 +31,7 @@ std::string percent(double share) {
 
 /// Returns the errors of the velocity and of the arm amplitudes [%]: two columns of the plan's table.
 std::string error_columns(const ErrorEstimate& error) {
-  return fmt::format("{:>7} {:>7}", percent(error.velocity),
-                     percent(error.largest_of_arms()));
+  return fmt::format("{:>7} {:>7}", percent(error.velocity), percent(error.largest_of_arms()));
 }
 
 /// Returns true if no other possible run is cheaper and has an expected error of at most 1.05 times the error
@@ -75,9 +74,10 @@ std::string cells_by_level(const std::vector<const PlannedRun*>& runs) {
   std::set<std::string> listed;
   for (const PlannedRun* run : runs) {
     if (run->cells.size() < 2) continue;
-    const std::string line = fmt::format(
-        "cells: {} {:g} {} {}: {}, coarsest level first\n", Setting::cells_per_radius,
-        *run->settings.lattice.cells_per_radius, Setting::refinement, run->cells.size() - 1, fmt::join(run->cells, " + "));
+    const std::string line =
+        fmt::format("cells: {} {:g} {} {}: {}, coarsest level first\n", Setting::cells_per_radius,
+                    *run->settings.lattice.cells_per_radius, Setting::refinement, run->cells.size() - 1,
+                    fmt::join(run->cells, " + "));
     if (listed.insert(line).second) text += line;
   }
   return text;
@@ -132,8 +132,8 @@ std::string plan_head(const std::string& indent) {
 std::string plan_row(const RunPlan& plan, const PlannedRun& run, const std::string& remark) {
   return fmt::format("  {:<74} {}  {} {:>9.3g} {:>9.3g} {:>8} {:>8}  {}\n", command(plan, run),
                      error_columns(run.error.limit), error_columns(run.error.typical), run.core_seconds,
-                     run.core_seconds / plan.ranks, size_text(run.memory_bytes),
-                     size_text(run.output_bytes), remark);
+                     run.core_seconds / plan.ranks, size_text(run.memory_bytes), size_text(run.output_bytes),
+                     remark);
 }
 
 std::string plan_table(const RunPlan& plan, const std::string& layout) {
@@ -145,8 +145,7 @@ std::string plan_table(const RunPlan& plan, const std::string& layout) {
   }
   std::ranges::sort(front, {}, &PlannedRun::core_seconds);
   const PlannedRun* choice = plan.choice ? &plan.runs[*plan.choice] : nullptr;
-  for (const PlannedRun* run : front)
-    text += plan_row(plan, *run, run == choice ? "<- cheapest" : "");
+  for (const PlannedRun* run : front) text += plan_row(plan, *run, run == choice ? "<- cheapest" : "");
   if (const auto others = std::ranges::count(plan.runs, "", &PlannedRun::refused) - std::ssize(front))
     text += fmt::format(
         "not listed: {} lattice runs that cost more than a run with a similar or smaller error\n", others);

@@ -12,9 +12,9 @@
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/plan/plan_report.hpp"
+#include "beadswim/plan/sufficient_box.hpp"
 #include "beadswim/run/percent.hpp"
 #include "beadswim/run/reason_against.hpp"
-#include "beadswim/plan/sufficient_box.hpp"
 #include "beadswim/scene/force_directions.hpp"
 #include "planned_scene.hpp"
 
@@ -178,7 +178,7 @@ const PlannedRun& choose_run(const RunPlan& plan) {
   if (plan.choice) return plan.runs[*plan.choice];
   if (!plan.best)
     throw InputError(Setting::plan, fmt::format("no model can run this scene with these settings. {}",
-                                                 fmt::join(refusals(plan), ". ")));
+                                                fmt::join(refusals(plan), ". ")));
   const PlannedRun& best = plan.runs[*plan.best];
   if (plan.request.has_advice && !plan.request.tolerance) return best;
   throw InputError(
@@ -188,9 +188,10 @@ const PlannedRun& choose_run(const RunPlan& plan) {
           "raise the tolerance to that value{}",
           in_percent(plan.tolerance), settings_text(best.settings, plan.request.chosen),
           in_percent(best.error.limit.largest()),
-          plan.request.is_restart ? ""
-                                  : ", leave out settings that exclude other runs, or change the scene as a plan "
-                                    "proposes"));
+          plan.request.is_restart
+              ? ""
+              : ", leave out settings that exclude other runs, or change the scene as a plan "
+                "proposes"));
 }
 
 }  // namespace beadswim

@@ -34,10 +34,11 @@ inline IncomingMessage moment_of(const CheckpointReader& checkpoint) {
 }
 
 [[noreturn]] inline void refuse_other_version(const CheckpointReader& checkpoint) {
-  throw SolverError(fmt::format(
-      "{}: the checkpoint was written by another version of the program; continue with that version, or begin "
-      "without {}",
-      checkpoint.path(), Setting::restart));
+  throw SolverError(
+      fmt::format("{}: the checkpoint was written by another version of the program; continue with that "
+                  "version, or begin "
+                  "without {}",
+                  checkpoint.path(), Setting::restart));
 }
 
 }  // namespace beadswim

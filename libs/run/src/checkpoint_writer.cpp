@@ -69,8 +69,7 @@ Checkpoints::Checkpoints(const RunTask& task, const ModelPlan& plan, const Commu
 int Checkpoints::slot_of(const std::string& checkpoint) const {
   std::error_code ignored;
   for (const int slot : {0, 1}) {
-    if (!checkpoint.empty() &&
-        std::filesystem::equivalent(checkpoint, slot_path(trajectory_, slot), ignored))
+    if (!checkpoint.empty() && std::filesystem::equivalent(checkpoint, slot_path(trajectory_, slot), ignored))
       return slot;
   }
   return -1;

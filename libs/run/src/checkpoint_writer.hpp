@@ -8,8 +8,8 @@
 namespace beadswim {
 
 /// Restores the model and the recorder from a checkpoint, and returns steps and cost of the run that wrote
-/// it. `message` takes a warning if another version of the program wrote the checkpoint. Throws SolverError if
-/// the checkpoint belongs to another scene or has another format. Collective.
+/// it. `message` takes a warning if another version of the program wrote the checkpoint. Throws SolverError
+/// if the checkpoint belongs to another scene or has another format. Collective.
 RunHistory restore(const RunParts& parts, const CheckpointReader& checkpoint);
 
 /// Writes the checkpoints of a run.

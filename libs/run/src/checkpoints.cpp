@@ -67,8 +67,8 @@ std::unique_ptr<CheckpointReader> open_checkpoint(const std::string& restart,
   return std::make_unique<CheckpointReader>(restart, communicator);
 }
 
-std::unique_ptr<CheckpointReader> open_interrupted_run(const std::string& trajectory, const std::string& layout,
-                                                       const RunSettings& settings,
+std::unique_ptr<CheckpointReader> open_interrupted_run(const std::string& trajectory,
+                                                       const std::string& layout, const RunSettings& settings,
                                                        const Communicator& communicator) {
   if (settings.model == RunModel::automatic) return nullptr;
   const bool is_there =
@@ -80,7 +80,8 @@ std::unique_ptr<CheckpointReader> open_interrupted_run(const std::string& trajec
       return applies(row, settings.model) && row.setting != Setting::checkpoint_every;
     };
     const bool is_same = !find_difference(settings, settings_of(*checkpoint), must_be_equal) &&
-                         layout_of(*checkpoint) == layout && checkpoint->text(program_section) == this_program();
+                         layout_of(*checkpoint) == layout &&
+                         checkpoint->text(program_section) == this_program();
     return is_same ? std::move(checkpoint) : nullptr;
   } catch (const InputError&) {  // damaged
     return nullptr;
@@ -93,8 +94,9 @@ RunSettings settings_of(const CheckpointReader& checkpoint) {
   } catch (const Json::exception&) {
     throw InputError(
         checkpoint.path(),
-        fmt::format("this version of the program cannot read the settings in the checkpoint; begin without {}",
-                    Setting::restart));
+        fmt::format(
+            "this version of the program cannot read the settings in the checkpoint; begin without {}",
+            Setting::restart));
   }
 }
 
@@ -103,10 +105,11 @@ void require_same_results(const RunSettings& wanted, const RunSettings& present)
     return row.changes_results && applies(row, present.model);
   };
   if (const auto found = find_difference(wanted, present, must_be_equal))
-    throw InputError(found->setting,
-                     fmt::format("the value {} differs from {}, the value in the run of the checkpoint; leave it "
-                                 "out, or begin without {}",
-                                 found->wanted, found->present, Setting::restart));
+    throw InputError(
+        found->setting,
+        fmt::format("the value {} differs from {}, the value in the run of the checkpoint; leave it "
+                    "out, or begin without {}",
+                    found->wanted, found->present, Setting::restart));
 }
 
 std::string layout_of(const CheckpointReader& checkpoint) {

@@ -17,7 +17,8 @@ std::string reason_against_scope(SettingScope scope, RunModel model) {
     case SettingScope::moments:
       if (model != RunModel::lbm)
         return fmt::format(
-            "the setting applies to the models multipole and unsteady only; leave it out, or add {} multipole",
+            "the setting applies to the models multipole and unsteady only; leave it out, or add {} "
+            "multipole",
             Setting::model);
       break;
     case SettingScope::unsteady:
@@ -29,7 +30,8 @@ std::string reason_against_scope(SettingScope scope, RunModel model) {
       break;
   }
   return fmt::format(
-      "the setting applies to mobility models only; leave it out, or add {} rpy, rpy+near, multipole, oseen or "
+      "the setting applies to mobility models only; leave it out, or add {} rpy, rpy+near, multipole, oseen "
+      "or "
       "unsteady",
       Setting::model);
 }
@@ -52,8 +54,8 @@ std::string range_fault(const SettingRow& row, double number) {
   if (!row.too_low.empty() && number > 0)
     return fmt::format("{} is not above {}, so that {}", number, row.low, row.too_low);
   if (std::isfinite(row.high)) return fmt::format("{} is not between {} and {}", number, row.low, row.high);
-  return fmt::format("{} is not a finite number {} {}", number, row.allows_low ? "of at least" : "greater than",
-                     row.low);
+  return fmt::format("{} is not a finite number {} {}", number,
+                     row.allows_low ? "of at least" : "greater than", row.low);
 }
 
 }  // namespace
@@ -108,7 +110,8 @@ std::string settings_text(const RunSettings& settings, const std::set<Setting>& 
         const std::string value = setting_text(row, field);
         bool is_usual = value == *usual++ && !chosen.contains(row.setting);
         if constexpr (is_optional<T>) is_usual = is_usual || !field;
-        const bool is_of_model = row.scope != SettingScope::all && row.changes_results && applies(row, settings.model);
+        const bool is_of_model =
+            row.scope != SettingScope::all && row.changes_results && applies(row, settings.model);
         if (row.setting == Setting::model || (is_of_model && (row.is_always_named || !is_usual)))
           text += fmt::format("{}{} {}", text.empty() ? "" : " ", row.setting, value);
       },
@@ -116,8 +119,9 @@ std::string settings_text(const RunSettings& settings, const std::set<Setting>& 
   return text;
 }
 
-std::optional<SettingDifference> find_difference(const RunSettings& wanted, const RunSettings& present,
-                                                 const std::function<bool(const SettingRow&)>& must_be_equal) {
+std::optional<SettingDifference> find_difference(
+    const RunSettings& wanted, const RunSettings& present,
+    const std::function<bool(const SettingRow&)>& must_be_equal) {
   std::optional<SettingDifference> found;
   const std::vector<std::string> texts = all_texts(present);
   auto text = texts.begin();

@@ -81,7 +81,8 @@ TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan
       header.radius.push_back(plan.radii[swimmer.type][b]);
     }
   }
-  // Units that readers of molecular simulations know. They refuse files with other units, but not files without units.
+  // Units that readers of molecular simulations know. They refuse files with other units, but not files
+  // without units.
   if (const Units& units = document.layout.units;
       !units.lattice && units.length.name == "nm" && units.time.name == "ns") {
     header.length_unit = units.length.name;

@@ -100,11 +100,12 @@ std::unique_ptr<Model> LatticePlan::make(const std::string& trajectory, long flo
   try {
     return std::make_unique<LatticeModel>(*this, trajectory, flow_until);
   } catch (const std::bad_alloc&) {
-    throw SolverError(fmt::format(
-        "out of memory: the lattice needs about {:.2g} GB on {} ranks; use a smaller {}, {} single, a smaller "
-        "box, more machines, or a higher limit (ulimit -v)",
-        1e-9 * lattice_bytes(on_lattice.scene), communicator.size(), Setting::cells_per_radius,
-        Setting::precision));
+    throw SolverError(
+        fmt::format("out of memory: the lattice needs about {:.2g} GB on {} ranks; use a smaller {}, {} "
+                    "single, a smaller "
+                    "box, more machines, or a higher limit (ulimit -v)",
+                    1e-9 * lattice_bytes(on_lattice.scene), communicator.size(), Setting::cells_per_radius,
+                    Setting::precision));
   }
 }
 

@@ -4,8 +4,8 @@
 
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
-#include "models/flow_output.hpp"
 #include "beadswim/run/model.hpp"
+#include "models/flow_output.hpp"
 
 // Model of a run: resolved beads in a lattice-Boltzmann fluid (libs/coupling).
 

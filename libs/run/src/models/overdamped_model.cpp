@@ -123,10 +123,10 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
   const Vec3 p = fault.position * plan_.units.length;
   const std::string place =
       fmt::format("of swimmer {} at ({:.6g}, {:.6g}, {:.6g})", fault.swimmer, p[0], p[1], p[2]);
-  const std::string other_model = plan_.scene.model == MobilityModel::oseen
-                                      ? fmt::format(", or use {} rpy, which is also stable for close beads",
-                                                    Setting::model)
-                                      : "";
+  const std::string other_model =
+      plan_.scene.model == MobilityModel::oseen
+          ? fmt::format(", or use {} rpy, which is also stable for close beads", Setting::model)
+          : "";
   switch (fault.kind) {
     case OverdampedFaultKind::torn_arm:
       return fmt::format(
@@ -140,7 +140,8 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
           fault.bead, place, fault.value, Setting::steps_per_cycle, other_model);
     case OverdampedFaultKind::wall:
       return fmt::format(
-          "bead {} {} lies {:.3g} beyond a wall; increase {}, reduce the driving amplitude, or enlarge the box",
+          "bead {} {} lies {:.3g} beyond a wall; increase {}, reduce the driving amplitude, or enlarge the "
+          "box",
           fault.bead, place, fault.value * plan_.units.length, Setting::steps_per_cycle);
     case OverdampedFaultKind::no_slip_wall:
       return fmt::format(
@@ -221,8 +222,9 @@ std::vector<RunWarning> OverdampedModel::warnings() const {
                        "error of up to {}; an expected error is for the height of {:.3g} radii at rest; "
                        "compare this run with {}",
                        height, in_percent(error), *plan_.height_at_rest,
-                       is_best ? lattice_over_wall()
-                               : fmt::format("{} multipole {} 2", Setting::model, Setting::multipole_order))});
+                       is_best
+                           ? lattice_over_wall()
+                           : fmt::format("{} multipole {} 2", Setting::model, Setting::multipole_order))});
   }
   const double gap = system_.state().smallest_gap * plan_.units.length;
   if (!std::isfinite(gap)) return warnings;

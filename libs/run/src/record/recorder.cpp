@@ -55,8 +55,7 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
       time_step_(plan.time_step),
       communicator_(communicator),
       steps_per_cycle_(plan.steps_per_cycle),
-      frames_per_cycle_(
-          static_cast<int>(std::min<long>(plan.settings.frames_per_cycle, steps_per_cycle_))),
+      frames_per_cycle_(static_cast<int>(std::min<long>(plan.settings.frames_per_cycle, steps_per_cycle_))),
       box_(layout.domain.box),
       flow_(layout.flow),
       dynamic_viscosity_(layout.fluid.dynamic_viscosity()),

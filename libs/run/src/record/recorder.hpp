@@ -6,8 +6,8 @@
 #include "beadswim/core/message.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/h5md.hpp"
-#include "beadswim/theory/methods.hpp"
 #include "beadswim/run/model.hpp"
+#include "beadswim/theory/methods.hpp"
 #include "record/sampling_schedule.hpp"
 
 namespace beadswim {

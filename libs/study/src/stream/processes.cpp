@@ -87,7 +87,8 @@ class Workers {
     if (worker.process < 0) {
       const std::string reason = std::strerror(errno);
       for (const int socket : ends) ::close(socket);
-      throw SolverError(fmt::format("a process cannot be started: {}; use fewer processes at the same time", reason));
+      throw SolverError(
+          fmt::format("a process cannot be started: {}; use fewer processes at the same time", reason));
     }
     if (worker.process == 0) {
       ::close(ends[0]);

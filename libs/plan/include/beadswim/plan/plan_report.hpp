@@ -8,11 +8,11 @@
 
 namespace beadswim {
 
-/// Formats the plan as text. A table lists all possible runs with mobilities, and those lattice runs for which
-/// no cheaper run has a similar or smaller expected error. Below the table, the text states the meaning of the
-/// errors, and lists the impossible runs with their reasons ("refused"), properties of the scene that make
-/// runs inaccurate or impossible ("hard"), and proposed layouts ("propose"). `layout`: file of the layout, for
-/// the commands that make proposed layouts.
+/// Formats the plan as text. A table lists all possible runs with mobilities, and those lattice runs for
+/// which no cheaper run has a similar or smaller expected error. Below the table, the text states the meaning
+/// of the errors, and lists the impossible runs with their reasons ("refused"), properties of the scene that
+/// make runs inaccurate or impossible ("hard"), and proposed layouts ("propose"). `layout`: file of the
+/// layout, for the commands that make proposed layouts.
 std::string plan_table(const RunPlan& plan, const std::string& layout);
 
 /// Returns the head of the table, two lines. `indent`: begin of both.

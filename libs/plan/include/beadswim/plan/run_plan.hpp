@@ -21,12 +21,12 @@ namespace beadswim {
 
 /// Restrictions on the candidates of a plan.
 struct PlanRequest {
-  /// Settings that all candidates (possible runs) share. The plan chooses the model if it is automatic, varies
-  /// cells per radius and relaxation time if they are not set, and all settings that it can vary unless
-  /// is_fixed().
+  /// Settings that all candidates (possible runs) share. The plan chooses the model if it is automatic,
+  /// varies cells per radius and relaxation time if they are not set, and all settings that it can vary
+  /// unless is_fixed().
   RunSettings settings;
-  std::set<Setting> chosen;  ///< settings with the value that the user has chosen
-  bool is_restart = false;   ///< true: a run with the scene and the settings of a checkpoint goes on
+  std::set<Setting> chosen;         ///< settings with the value that the user has chosen
+  bool is_restart = false;          ///< true: a run with the scene and the settings of a checkpoint goes on
   std::optional<double> tolerance;  ///< largest accepted relative error; nullopt: 0.03
   bool has_advice = false;          ///< true: RunPlan::hard and RunPlan::proposals are filled
   long steps_done = 0;              ///< time steps that a restart does not repeat

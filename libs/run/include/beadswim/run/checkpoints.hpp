@@ -25,8 +25,8 @@ std::unique_ptr<CheckpointReader> open_checkpoint(const std::string& restart,
 /// Opens the checkpoint of an interrupted run with the same trajectory, layout, settings and version of the
 /// program. `layout`: JSON text of the layout. Returns nullptr if there is none, or if the model is still to
 /// be chosen. Collective.
-std::unique_ptr<CheckpointReader> open_interrupted_run(const std::string& trajectory, const std::string& layout,
-                                                       const RunSettings& settings,
+std::unique_ptr<CheckpointReader> open_interrupted_run(const std::string& trajectory,
+                                                       const std::string& layout, const RunSettings& settings,
                                                        const Communicator& communicator);
 
 /// Returns the path of the trajectory to which `restart`, a checkpoint or a trajectory, belongs.
@@ -35,8 +35,8 @@ std::string trajectory_of(const std::string& restart);
 /// Returns the settings of the run that wrote the checkpoint. Throws InputError if they cannot be read.
 RunSettings settings_of(const CheckpointReader& checkpoint);
 
-/// Throws InputError if a setting that affects the motion of the beads has different values in `wanted` and in
-/// `present`, the settings of the run that wrote the checkpoint.
+/// Throws InputError if a setting that affects the motion of the beads has different values in `wanted` and
+/// in `present`, the settings of the run that wrote the checkpoint.
 void require_same_results(const RunSettings& wanted, const RunSettings& present);
 
 /// Returns the layout of the run that wrote the checkpoint, as JSON text.

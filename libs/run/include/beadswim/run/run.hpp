@@ -15,12 +15,12 @@
 
 // A run of a layout: one way in, one way out.
 //
-//   RunTask task{.document = layout, .settings = settings, .source = "layout.json", .trajectory = "run.h5md"};
-//   const std::unique_ptr<ModelPlan> plan = plan_for(task, communicator);
-//   const RunResult result = run(task, *plan, {}, communicator);
+//   RunTask task{.document = layout, .settings = settings, .source = "layout.json", .trajectory =
+//   "run.h5md"}; const std::unique_ptr<ModelPlan> plan = plan_for(task, communicator); const RunResult result
+//   = run(task, *plan, {}, communicator);
 //
-// The library handles no signal, prints nothing and ends no process. What a program wants to know or to decide
-// during a run passes through RunSinks.
+// The library handles no signal, prints nothing and ends no process. What a program wants to know or to
+// decide during a run passes through RunSinks.
 
 namespace beadswim {
 
@@ -53,17 +53,17 @@ struct RunSinks {
   /// Returns a request to stop, on any rank; nullopt: the run goes on. Called every 20 steps.
   std::function<std::optional<StopRequest>()> stop{};
   /// Called inside the catch block of an exception that one rank may have thrown alone, with the path of the
-  /// latest checkpoint (empty: none). Files are open then that only all ranks together can close, so a program
-  /// with several ranks must end all of them here. On one rank this function may return; run() then throws
-  /// the exception.
+  /// latest checkpoint (empty: none). Files are open then that only all ranks together can close, so a
+  /// program with several ranks must end all of them here. On one rank this function may return; run() then
+  /// throws the exception.
   std::function<void(const std::string&)> failure{};
 };
 
 /// Result of a run.
 struct RunResult {
-  RunRecord record;                          ///< status and reason on all ranks, all else on rank 0 only
-  std::vector<RunWarning> late_warnings;     ///< warnings that were not known before the run; rank 0 only
-  std::string last_checkpoint;               ///< path; empty if there is none
+  RunRecord record;                       ///< status and reason on all ranks, all else on rank 0 only
+  std::vector<RunWarning> late_warnings;  ///< warnings that were not known before the run; rank 0 only
+  std::string last_checkpoint;            ///< path; empty if there is none
   long steps_done = 0;
 };
 
@@ -71,10 +71,10 @@ struct RunResult {
 /// cannot treat the layout, or if the run ends before its checkpoint. Collective.
 std::unique_ptr<ModelPlan> plan_for(const RunTask& task, const Communicator& communicator);
 
-/// Runs the plan of the task: moves the swimmers until the last step, a fault or a request to stop, and writes
-/// trajectory, checkpoints and flow fields. After a fault, no frame and no checkpoint is written. Closes the
-/// checkpoint of the task. Throws InputError on all ranks if a file cannot be created, SolverError if a file
-/// cannot be written or the checkpoint is damaged. Collective.
+/// Runs the plan of the task: moves the swimmers until the last step, a fault or a request to stop, and
+/// writes trajectory, checkpoints and flow fields. After a fault, no frame and no checkpoint is written.
+/// Closes the checkpoint of the task. Throws InputError on all ranks if a file cannot be created, SolverError
+/// if a file cannot be written or the checkpoint is damaged. Collective.
 RunResult run(RunTask& task, const ModelPlan& plan, const RunSinks& sinks, const Communicator& communicator);
 
 }  // namespace beadswim

@@ -64,40 +64,45 @@ struct RunSettings {
     visit("model", model,
           SettingRow{.setting = Setting::model,
                      .group = Group::model,
-                     .help = "lbm (lattice), mobilities rpy, rpy+near, multipole, oseen, unsteady, or auto (the "
-                             "cheapest run)",
+                     .help =
+                         "lbm (lattice), mobilities rpy, rpy+near, multipole, oseen, unsteady, or auto (the "
+                         "cheapest run)",
                      .is_always_named = true});
     visit("cycles", cycles,
           SettingRow{.setting = Setting::cycles,
                      .group = Group::length,
                      .value = "C",
-                     .help = "Length of the run, also fractional; the base period is the driving period that all "
-                             "swimmers share, otherwise the period of the first swimmer's type [base period]",
+                     .help =
+                         "Length of the run, also fractional; the base period is the driving period that all "
+                         "swimmers share, otherwise the period of the first swimmer's type [base period]",
                      .changes_results = false});
     visit("frames_per_cycle", frames_per_cycle,
           SettingRow{.setting = Setting::frames_per_cycle,
                      .group = Group::length,
                      .value = "N",
-                     .help = "Number of evenly spaced frames of the trajectory per base period; also the number "
-                             "of samples per driving period to which strokes are fitted",
+                     .help =
+                         "Number of evenly spaced frames of the trajectory per base period; also the number "
+                         "of samples per driving period to which strokes are fitted",
                      .low = 4,
                      .high = 1e6});
-    visit("sum_tolerance", mobility.tolerance,
-          SettingRow{.setting = Setting::sum_tolerance,
-                     .group = Group::model,
-                     .scope = Scope::mobility,
-                     .value = "E",
-                     .help = "Largest relative error (root mean square) of the bead velocities that a mobility "
-                             "model sums up in a step [1]",
-                     .low = 1e-12,
-                     .high = 1e-2});
+    visit(
+        "sum_tolerance", mobility.tolerance,
+        SettingRow{.setting = Setting::sum_tolerance,
+                   .group = Group::model,
+                   .scope = Scope::mobility,
+                   .value = "E",
+                   .help = "Largest relative error (root mean square) of the bead velocities that a mobility "
+                           "model sums up in a step [1]",
+                   .low = 1e-12,
+                   .high = 1e-2});
     visit("multipole_order", mobility.multipole_order,
           SettingRow{.setting = Setting::multipole_order,
                      .group = Group::model,
                      .scope = Scope::moments,
                      .value = "N",
-                     .help = "Highest moment of the force on each bead, for the models multipole and unsteady: 0 "
-                             "(force alone, as rpy), 1 (with stresslets), 2 (with second moments)",
+                     .help =
+                         "Highest moment of the force on each bead, for the models multipole and unsteady: 0 "
+                         "(force alone, as rpy), 1 (with stresslets), 2 (with second moments)",
                      .high = max_moment_order,
                      .is_always_named = true});
     visit("reynolds_stress", mobility.reynolds_stress,
@@ -122,51 +127,57 @@ struct RunSettings {
                      .help = "Resolution of the lattice: smallest bead radius in cells [cell]",
                      .unset = "the layout's, else 4",
                      .is_always_named = true});
-    visit("relaxation_time", lattice.relaxation_time,
-          SettingRow{.setting = Setting::relaxation_time,
-                     .scope = Scope::lattice,
-                     .value = "TAU",
-                     .help = "Relaxation time tau, adjusted to whole steps per period; the time step follows from "
-                             "the viscosity nu = (tau - 1/2)/3 cell^2/step [step]",
-                     .unset = "the layout's, else 1",
-                     .low = 0.5,
-                     .too_low = "the viscosity (tau - 1/2)/3 would not be positive; values from 0.6 to 1.5 work well",
-                     .is_always_named = true});
+    visit(
+        "relaxation_time", lattice.relaxation_time,
+        SettingRow{
+            .setting = Setting::relaxation_time,
+            .scope = Scope::lattice,
+            .value = "TAU",
+            .help = "Relaxation time tau, adjusted to whole steps per period; the time step follows from "
+                    "the viscosity nu = (tau - 1/2)/3 cell^2/step [step]",
+            .unset = "the layout's, else 1",
+            .low = 0.5,
+            .too_low = "the viscosity (tau - 1/2)/3 would not be positive; values from 0.6 to 1.5 work well",
+            .is_always_named = true});
     visit("precision", lattice.precision,
-          SettingRow{.setting = Setting::precision,
-                     .scope = Scope::lattice,
-                     .help = "Floating-point precision of the fluid populations; single needs half the memory and "
-                             "a little over half the time"});
+          SettingRow{
+              .setting = Setting::precision,
+              .scope = Scope::lattice,
+              .help = "Floating-point precision of the fluid populations; single needs half the memory and "
+                      "a little over half the time"});
     visit("bead_boundary", lattice.bead_boundary,
           SettingRow{.setting = Setting::bead_boundary,
                      .scope = Scope::lattice,
                      .help = "No-slip condition on beads: staircase (half-way bounce-back), cli (linear "
                              "interpolation), mr (multireflection), psm (partially saturated cells)"});
-    visit("refinement", lattice.refinement,
-          SettingRow{.setting = Setting::refinement,
-                     .scope = Scope::lattice,
-                     .value = "off|auto|N",
-                     .help = "Number of levels of cells below the coarsest, each with cells of half the size, "
-                             "around the beads; auto: the cheapest number; off: cells of one size",
-                     .low = 1,
-                     .high = max_finer_levels,
-                     .word_of_none = "auto",
-                     .word_of_zero = "off"});
+    visit(
+        "refinement", lattice.refinement,
+        SettingRow{.setting = Setting::refinement,
+                   .scope = Scope::lattice,
+                   .value = "off|auto|N",
+                   .help = "Number of levels of cells below the coarsest, each with cells of half the size, "
+                           "around the beads; auto: the cheapest number; off: cells of one size",
+                   .low = 1,
+                   .high = max_finer_levels,
+                   .word_of_none = "auto",
+                   .word_of_zero = "off"});
     visit("delay_correction", lattice.delay_correction,
           SettingRow{.setting = Setting::delay_correction,
                      .scope = Scope::lattice,
                      .help = "Increase the bead density to compensate the delay with which the lattice fluid "
                              "exerts its force on a bead"});
-    visit("radius_correction", lattice.radius_correction,
-          SettingRow{.setting = Setting::radius_correction,
-                     .scope = Scope::lattice,
-                     .help = "Adjust the bead radius on the lattice so that the drag, averaged over positions "
-                             "within a cell, is that of a sphere with the layout's radius"});
+    visit(
+        "radius_correction", lattice.radius_correction,
+        SettingRow{.setting = Setting::radius_correction,
+                   .scope = Scope::lattice,
+                   .help = "Adjust the bead radius on the lattice so that the drag, averaged over positions "
+                           "within a cell, is that of a sphere with the layout's radius"});
     visit("lubrication", lattice.lubrication,
           SettingRow{.setting = Setting::lubrication,
                      .scope = Scope::lattice,
-                     .help = "Add the part of the lubrication force between close surfaces that the lattice does "
-                             "not resolve"});
+                     .help =
+                         "Add the part of the lubrication force between close surfaces that the lattice does "
+                         "not resolve"});
     visit("friction", lattice.friction,
           SettingRow{.setting = Setting::friction,
                      .scope = Scope::lattice,
@@ -174,13 +185,14 @@ struct RunSettings {
                      .help = "Coefficient of Coulomb friction between beads in contact [1]",
                      .allows_low = true});
     visit("checkpoint_every", checkpoint_every,
-          SettingRow{.setting = Setting::checkpoint_every,
-                     .group = Group::checkpoints,
-                     .value = "C",
-                     .help = "Interval between checkpoints, which are written alternately to FILE.h5md.ckpt.0 and "
-                             "FILE.h5md.ckpt.1 [base period]",
-                     .unset = "only at a stop by time or signal",
-                     .changes_results = false});
+          SettingRow{
+              .setting = Setting::checkpoint_every,
+              .group = Group::checkpoints,
+              .value = "C",
+              .help = "Interval between checkpoints, which are written alternately to FILE.h5md.ckpt.0 and "
+                      "FILE.h5md.ckpt.1 [base period]",
+              .unset = "only at a stop by time or signal",
+              .changes_results = false});
     visit("flow_every", flow_every,
           SettingRow{.setting = Setting::flow_every,
                      .group = Group::output,

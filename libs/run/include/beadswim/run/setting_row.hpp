@@ -24,12 +24,12 @@ struct SettingRow {
   std::string_view help = "";
   std::string_view unset = "";  ///< what a run uses if the setting has no value
   double low = 0, high = std::numeric_limits<double>::infinity();
-  bool allows_low = false;            ///< a number with decimals: `low` itself is allowed
-  std::string_view too_low = "";      ///< why a number must be above `low`; empty: needs no reason
-  std::string_view word_of_none = ""; ///< word for a setting without value
-  std::string_view word_of_zero = ""; ///< word for 0
-  bool changes_results = true;        ///< its value must stay the same when a run continues from a checkpoint
-  bool is_always_named = false;       ///< a command that describes a run names it even if it has its default
+  bool allows_low = false;             ///< a number with decimals: `low` itself is allowed
+  std::string_view too_low = "";       ///< why a number must be above `low`; empty: needs no reason
+  std::string_view word_of_none = "";  ///< word for a setting without value
+  std::string_view word_of_zero = "";  ///< word for 0
+  bool changes_results = true;   ///< its value must stay the same when a run continues from a checkpoint
+  bool is_always_named = false;  ///< a command that describes a run names it even if it has its default
 };
 
 }  // namespace beadswim
