@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -98,7 +99,6 @@ TEST(Run, ContinuesFromItsCheckpointWithTheSameBits) {
   RunTask second = lattice_task(2);
   second.trajectory = path + ".2.h5md";
   second.checkpoint = open_checkpoint(path + ".ckpt.0", {}, world);
-  second.steps_done = steps_done_in(*second.checkpoint);
   second.settings = settings_of(*second.checkpoint);
   const RunResult rest = run_of(std::move(second), {}, world);
   EXPECT_EQ(rest.record.state_sha256, whole.record.state_sha256);
@@ -108,6 +108,21 @@ TEST(Run, ContinuesFromItsCheckpointWithTheSameBits) {
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path()))
     if (entry.path().filename().string().starts_with("beadswim-run-test"))
       std::filesystem::remove(entry.path());
+}
+
+/// Catches a checkpoint of another version that ends a stream: it is refused, and a stream begins anew.
+TEST(Run, RefusesACheckpointWithoutSettings) {
+  const Communicator self(MPI_COMM_SELF);
+  const std::string trajectory = std::filesystem::temp_directory_path() / fmt::format("beadswim-{}.h5md", getpid());
+  const std::string path = trajectory + ".ckpt.0";
+  OutgoingMessage moment;
+  moment(long{7});
+  CheckpointWriter file(path, self);
+  file.add("moment", moment.bytes());
+  file.finish();
+  EXPECT_THROW(settings_of(CheckpointReader(path, self)), InputError);
+  EXPECT_EQ(open_interrupted_run(trajectory, "", {}, self), nullptr);
+  std::filesystem::remove(path);
 }
 
 /// Catches a failure after which the caller cannot go on: on one rank run() must throw it.

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "beadswim/core/error.hpp"
+#include "beadswim/core/data_error.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "checkpoint_sections.hpp"
 
@@ -89,15 +89,22 @@ std::unique_ptr<CheckpointReader> open_interrupted_run(const std::string& trajec
 }
 
 RunSettings settings_of(const CheckpointReader& checkpoint) {
-  try {
-    return parse_json(checkpoint.text(settings_section), checkpoint.path()).get<RunSettings>();
-  } catch (const Json::exception&) {
+  const auto refuse = [&] {
     throw InputError(
         checkpoint.path(),
         fmt::format(
             "this version of the program cannot read the settings in the checkpoint; begin without {}",
             Setting::restart));
+  };
+  RunSettings settings;
+  try {
+    parse_json(checkpoint.text(settings_section), checkpoint.path()).get_to(settings);
+  } catch (const Json::exception&) {
+    refuse();
+  } catch (const DataError&) {  // another version stored no settings
+    refuse();
   }
+  return settings;
 }
 
 void require_same_results(const RunSettings& wanted, const RunSettings& present) {
