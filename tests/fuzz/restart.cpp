@@ -114,7 +114,6 @@ void go_on_from(const std::string& path) {
   task.document = layout_from_json(parse_json(layout_of(checkpoint), "layout"), "layout");
   task.settings = settings_of(checkpoint);
   task.trajectory = trajectory_of(path);
-  task.steps_done = steps_done_in(checkpoint);
   const auto plan = plan_for(task, one_rank());
   if (!is_small(*plan)) return;
   const auto model = plan->make(task.trajectory, 0);

@@ -51,7 +51,6 @@ int run_program(int argc, char** argv, const Communicator& communicator, const C
                .source = request.source(),
                .trajectory = request.options.output,
                .checkpoint = std::move(request.checkpoint)};
-  if (task.checkpoint) task.steps_done = steps_done_in(*task.checkpoint);
   const RunRecord record = run_alone(std::move(task), request.options, start, communicator, failures);
   if (record.status == RunStatus::failed) throw RunFailed(record.reason);
   if (record.status != RunStatus::finished) throw StoppedEarly(record.reason);

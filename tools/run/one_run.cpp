@@ -22,7 +22,7 @@ void announce(const ModelPlan& plan, const RunTask& task, const RunOptions& opti
     print_message(plan.announcement);
     if (task.checkpoint)
       print_message(fmt::format("continuing from the checkpoint {}, step {}", task.checkpoint->path(),
-                                task.steps_done));
+                                plan.steps_done));
   }
   warn(plan.warnings);
 }
@@ -44,8 +44,7 @@ double choose_settings(RunTask& task, const RunOptions& options, const Communica
   if (communicator.is_root() && options.progress != ProgressStyle::none)
     print_message(fmt::format(
         "starting the cheapest run within --tolerance: {}, with an error of up to {}, typically {}, and a "
-        "cost of "
-        "{:.3g} core-seconds",
+        "cost of {:.3g} core-seconds",
         settings_text(planned.settings, options.chosen), in_percent(planned.error.limit.largest()),
         in_percent(planned.error.typical.largest()), planned.core_seconds));
   return plan.tolerance;
@@ -94,7 +93,7 @@ RunRecord run_alone(RunTask task, const RunOptions& options, double start, const
                     const Communicator& failures) {
   const std::unique_ptr<ModelPlan> plan = plan_of(task, options, communicator);
   const long steps = plan->steps_in(plan->settings.cycles);
-  Progress progress(options.progress, task.steps_done, steps, static_cast<double>(plan->steps_per_cycle),
+  Progress progress(options.progress, plan->steps_done, steps, static_cast<double>(plan->steps_per_cycle),
                     plan->updates_per_step);
   if (communicator.is_root()) announce(*plan, task, options);
   catch_stop_signals();

@@ -66,7 +66,7 @@ bool RunTask::continues_same_trajectory() const {
 
 RunResult run(RunTask& task, const ModelPlan& plan, const RunSinks& sinks, const Communicator& communicator) {
   const std::unique_ptr<Model> model =
-      plan.make(task.trajectory, task.continues_same_trajectory() ? task.steps_done : 0);
+      plan.make(task.trajectory, task.continues_same_trajectory() ? plan.steps_done : 0);
   std::optional<TrajectoryWriter> trajectory;
   if (!task.trajectory.empty())
     trajectory.emplace(task.trajectory, header_of(task.document, plan), communicator, task.checkpoint.get());

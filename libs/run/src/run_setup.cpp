@@ -8,6 +8,7 @@
 
 #include "beadswim/core/version.hpp"
 #include "beadswim/io/xdmf.hpp"
+#include "beadswim/run/checkpoints.hpp"
 #include "beadswim/scene/force_directions.hpp"
 #include "models/lattice_model.hpp"
 #include "models/overdamped_model.hpp"
@@ -60,8 +61,9 @@ std::unique_ptr<ModelPlan> plan_for(const RunTask& task, const Communicator& com
                      "and ~, and no space at the start; give another name with {}",
                      task.trajectory, Setting::output)});
   warn_of_missing_cycles(*plan);
+  if (task.checkpoint) plan->steps_done = steps_done_in(*task.checkpoint);
   const double cycles = plan->settings.cycles;
-  require_end_after(cycles, plan->steps_in(cycles), task.steps_done, plan->steps_per_cycle);
+  require_end_after(cycles, plan->steps_in(cycles), plan->steps_done, plan->steps_per_cycle);
   return plan;
 }
 

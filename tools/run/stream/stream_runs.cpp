@@ -115,7 +115,6 @@ MemberResult run_member(const StreamMember& member, const RunOptions& options, c
   if (group.ranks.is_root()) std::filesystem::remove(files.record);
   task.checkpoint = open_interrupted_run(task.trajectory, dump_json(layout_to_json(task.document)),
                                          task.settings, group.ranks);
-  if (task.checkpoint) task.steps_done = steps_done_in(*task.checkpoint);
   Json record;
   try {
     record = run_task(task, options, group, failures);

@@ -133,6 +133,7 @@ struct ModelPlan {
   double base_period = 0;                  ///< duration of one cycle of the run [time]
   double time_step = 0;                    ///< [time]
   long steps_per_cycle = 0;                ///< time steps per base cycle
+  long steps_done = 0;                     ///< time steps of the earlier run that this run continues
   std::vector<double> periods;             ///< driving period of each type [step]
   std::vector<std::vector<double>> radii;  ///< radii of the beads of each type [length]
   /// Stiffness of each angular spring of each type in the run, divided by that of the layout; empty: 1.

@@ -32,7 +32,6 @@ struct RunTask {
   std::string trajectory{};  ///< path; empty: no trajectory, checkpoint or flow field is written
   /// Checkpoint from which the run continues; nullptr: the run begins at time 0.
   std::unique_ptr<CheckpointReader> checkpoint{};
-  long steps_done = 0;  ///< number of time steps before the checkpoint
 
   /// Returns true if the run writes to the trajectory of the earlier run that it continues.
   bool continues_same_trajectory() const;
