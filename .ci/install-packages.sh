@@ -11,7 +11,6 @@ packages=(
   libeigen3-dev libcli11-dev nlohmann-json3-dev libvalijson-dev          # libraries
   libfmt-dev libssl-dev libfftw3-dev libboost-dev libnlopt-cxx-dev
   libgtest-dev libgmock-dev libsundials-dev                              # tests
-  libbenchmark-dev                                                       # beadswim-bench
   librsvg2-bin fonts-dejavu-core                                         # figures as PNG
   help2man dpkg-dev file                                                 # manual pages, Debian package
   jq python3 python3-jsonschema                                          # scripts, tests of documents by the schemas

@@ -35,7 +35,6 @@ class Beadswim(CMakePackage):
     depends_on("cli11@2.1:")
     depends_on("nlohmann-json@3.11:")
     depends_on("valijson")
-    depends_on("benchmark")
 
     depends_on("googletest+gmock", when="+tests")
     depends_on("sundials@6.4:", when="+tests")

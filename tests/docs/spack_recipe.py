@@ -13,7 +13,7 @@ import types
 # Names of packages in Spack, by their names in CMake.
 PACKAGES = {
     "MPI": "mpi", "HDF5": "hdf5", "Eigen3": "eigen", "CLI11": "cli11", "nlohmann_json": "nlohmann-json", "valijson": "valijson",
-    "fmt": "fmt", "PkgConfig": "pkgconfig", "OpenSSL": "openssl", "benchmark": "benchmark", "GTest": "googletest",
+    "fmt": "fmt", "PkgConfig": "pkgconfig", "OpenSSL": "openssl", "GTest": "googletest",
     "SUNDIALS": "sundials", "FFTW": "fftw", "Boost": "boost", "NLOPT": "nlopt",
 }
 

@@ -1,17 +1,17 @@
-#include "bench_groups.hpp"
-
 #include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <optional>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/median.hpp"
+#include "bench_report.hpp"
 #include "first_ranks.hpp"
 #include "scenes.hpp"
-#include "timing.hpp"
+#include "yardstick.hpp"
 
 namespace beadswim {
 namespace {
@@ -52,7 +52,7 @@ std::vector<Group> make_groups(const BenchRequest& request, int ranks, double av
   std::vector<Group> groups;
   for (const int edge : request.edges) {
     const auto fits = [&](const std::vector<Precision>& precisions) {
-      return BenchScenes::bytes(edge, precisions) < available;
+      return lattice_bytes(edge, precisions) < available;
     };
     if (fits(request.precisions)) {
       groups.push_back({edge, ranks, request.precisions});
@@ -60,11 +60,11 @@ std::vector<Group> make_groups(const BenchRequest& request, int ranks, double av
     }
     for (const Precision precision : request.precisions) {
       if (!fits({precision})) {
-        throw InputError("--edge",
-                         fmt::format("a lattice with an edge of {} cells needs {:.1f} GB per rank in {} "
-                                     "precision, more than the {:.1f} GB that are free; use a smaller edge",
-                                     edge, 1e-9 * BenchScenes::bytes(edge, {precision}), to_text(precision),
-                                     1e-9 * available));
+        throw InputError(
+            "--edge",
+            fmt::format("a lattice with an edge of {} cells needs {:.1f} GB per rank in {} "
+                        "precision, more than the {:.1f} GB that are free; use a smaller edge",
+                        edge, 1e-9 * lattice_bytes(edge, {precision}), to_text(precision), 1e-9 * available));
       }
       groups.push_back({edge, ranks, {precision}});
     }
@@ -72,19 +72,56 @@ std::vector<Group> make_groups(const BenchRequest& request, int ranks, double av
   return groups;
 }
 
-/// Returns the speed relative to a reference case in each round: `reference` (seconds per step) divided by
-/// `seconds`.
-std::vector<double> speed_ratios(const std::vector<double>& seconds, const std::vector<double>& reference) {
-  std::vector<double> result;
-  for (std::size_t n = 0; n < seconds.size(); ++n) result.push_back(reference[n] / seconds[n]);
-  return result;
+/// Approximate duration of one measurement [s].
+constexpr double target_seconds = 0.12;
+
+/// Returns the time in which all ranks perform `steps` steps [s]. One step before the measurement is not
+/// timed, because the first step after another case takes longer: it must fill the complete halo of ghost
+/// cells.
+double time_steps(const BenchCase& bench_case, int steps, const Communicator& communicator) {
+  bench_case.step();
+  MPI_Barrier(communicator.get());
+  const double start = MPI_Wtime();
+  for (int n = 0; n < steps; ++n) bench_case.step();
+  MPI_Barrier(communicator.get());
+  return MPI_Wtime() - start;
+}
+
+/// Returns the number of steps per measurement. This number is even, because a time step with in-place
+/// streaming alternates between two kinds of sweep. Runs the case first, to fill the caches.
+int choose_step_count(const BenchCase& bench_case, const Communicator& communicator) {
+  time_steps(bench_case, 2, communicator);
+  const double seconds = time_steps(bench_case, 2, communicator);
+  int steps = 2 * std::max(1, static_cast<int>(std::lround(target_seconds / std::max(seconds, 1e-7))));
+  MPI_Bcast(&steps, 1, MPI_INT, 0, communicator.get());
+  return steps;
+}
+
+/// Times all cases once per round, so that slow changes of the speed of the machine affect all cases equally.
+/// Returns the time per step of each case in each round, indexed [case][round] [s], on every rank.
+/// Collective.
+std::vector<std::vector<double>> time_in_rounds(const std::vector<BenchCase>& cases, int rounds,
+                                                const Communicator& communicator) {
+  std::vector<int> steps;
+  for (const BenchCase& bench_case : cases) steps.push_back(choose_step_count(bench_case, communicator));
+  std::vector<std::vector<double>> seconds(cases.size());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t c = 0; c < cases.size(); ++c)
+      seconds[c].push_back(time_steps(cases[c], steps[c], communicator) / steps[c]);
+  return seconds;
+}
+
+/// Returns the median over the rounds of the speed relative to a reference case: `reference` (seconds per
+/// step) divided by `seconds`.
+double speed_ratio(const std::vector<double>& seconds, std::vector<double> reference) {
+  for (std::size_t n = 0; n < seconds.size(); ++n) reference[n] /= seconds[n];
+  return median(reference);
 }
 
 /// Evaluates the report rows of a group. `seconds`: time per step of each case in each round [case][round]
 /// [s]. The last case scales an array in place, which loads and stores `in_place_bytes`.
-std::vector<BenchRow> make_rows(const Group& group, const BenchScenes& scenes,
+std::vector<BenchRow> make_rows(const Group& group, const std::vector<BenchCase>& cases,
                                 const std::vector<std::vector<double>>& seconds, double in_place_bytes) {
-  const std::vector<BenchCase>& cases = scenes.cases();
   const auto find = [&](const std::string& name, Precision precision) -> std::optional<std::size_t> {
     const auto found = std::ranges::find_if(
         cases, [&](const BenchCase& c) { return c.name == name && c.precision == precision; });
@@ -102,12 +139,12 @@ std::vector<BenchRow> make_rows(const Group& group, const BenchScenes& scenes,
     row.mlups_best = 1e-6 * cases[c].updates / *std::ranges::min_element(seconds[c]);
     const std::size_t yardstick = *find("stream-yardstick", precision);
     row.fraction_of_yardstick =
-        median(speed_ratios(seconds[c], seconds[yardstick])) * cases[c].updates / cases[yardstick].updates;
-    row.fraction_of_bandwidth = median(speed_ratios(seconds[c], seconds.back())) * row.bytes_per_update *
+        speed_ratio(seconds[c], seconds[yardstick]) * cases[c].updates / cases[yardstick].updates;
+    row.fraction_of_bandwidth = speed_ratio(seconds[c], seconds.back()) * row.bytes_per_update *
                                 cases[c].updates / (in_place_bytes * group.ranks);
     if (const auto fp64_case = find(row.name, Precision::fp64); fp64_case && *fp64_case != c)
-      row.speed_over_double = median(speed_ratios(seconds[c], seconds[*fp64_case]));
-    if (row.name == "stream-yardstick") row.layout = scenes.layout_name(precision);
+      row.speed_over_double = speed_ratio(seconds[c], seconds[*fp64_case]);
+    row.layout = cases[c].layout;
     rows.push_back(row);
   }
   return rows;
@@ -117,12 +154,13 @@ std::vector<BenchRow> make_rows(const Group& group, const BenchScenes& scenes,
 /// bandwidth once.
 void measure(const Group& group, const Communicator& communicator, BenchReport& report) {
   Bandwidth bandwidth;
-  const BenchScenes scenes(group.edge, group.precisions, report.bead_boundary, communicator);
-  std::vector<BenchCase> cases = scenes.cases();
-  cases.push_back({.name = "copy", .step = [&] { bandwidth.copy(); }});
-  cases.push_back({.name = "in-place", .step = [&] { bandwidth.scale_in_place(); }});
-  const std::vector<std::vector<double>> seconds = time_in_rounds(cases, report.rounds, communicator);
-  std::ranges::copy(make_rows(group, scenes, seconds, bandwidth.bytes()), std::back_inserter(report.rows));
+  const std::vector<BenchCase> cases =
+      lattice_cases(group.edge, group.precisions, report.bead_boundary, communicator);
+  std::vector<BenchCase> timed = cases;
+  timed.push_back({.name = "copy", .step = [&] { bandwidth.copy(); }});
+  timed.push_back({.name = "in-place", .step = [&] { bandwidth.scale_in_place(); }});
+  const std::vector<std::vector<double>> seconds = time_in_rounds(timed, report.rounds, communicator);
+  std::ranges::copy(make_rows(group, cases, seconds, bandwidth.bytes()), std::back_inserter(report.rows));
   if (!report.bandwidths.empty() && report.bandwidths.back().ranks == group.ranks) return;
   const double gigabytes = 1e-9 * bandwidth.bytes() * group.ranks;
   report.bandwidths.push_back({.ranks = group.ranks,
@@ -138,8 +176,7 @@ BenchReport measure_all(const BenchRequest& request, const Communicator& world) 
   if (world.size() > 1) {
     std::ranges::copy(make_groups(request, world.size(), available), std::back_inserter(groups));
   }
-  BenchReport report{
-      .rounds = request.rounds, .bead_boundary = request.bead_boundary, .rows = {}, .bandwidths = {}};
+  BenchReport report{.rounds = request.rounds, .bead_boundary = request.bead_boundary};
   const double start = MPI_Wtime();
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const Group& group = groups[g];

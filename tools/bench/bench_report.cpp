@@ -10,16 +10,6 @@
 namespace beadswim {
 namespace {
 
-Json products_to_json(const BenchReport& report, const Json& provenance) {
-  return {{"schema", "beadswim/bench/1"},
-          {"processor", processor_name()},
-          {"instruction_set", sweep_instruction_set()},
-          {"rounds", report.rounds},
-          {"rows", Json::array()},
-          {"mobility_products", report.products},
-          {"provenance", Json::array({provenance})}};
-}
-
 std::string optional_seconds(const std::optional<double>& seconds) {
   return seconds ? fmt::format("{:.4f}", *seconds) : "-";
 }
@@ -43,18 +33,22 @@ std::string product_table(const BenchReport& report) {
 }  // namespace
 
 Json bench_report_to_json(const BenchReport& report, const Json& provenance) {
-  if (!report.products.empty()) return products_to_json(report, provenance);
-  return {{"schema", "beadswim/bench/1"},
-          {"processor", processor_name()},
-          {"instruction_set", sweep_instruction_set()},
-          {"rounds", report.rounds},
-          {"bead_boundary", report.bead_boundary},
-          {"rows", report.rows},
-          {"bandwidth",
-           {{"in_place_gb_s", report.bandwidths.front().in_place_gb_s},
-            {"copy_gb_s", report.bandwidths.front().copy_gb_s},
-            {"by_ranks", report.bandwidths}}},
-          {"provenance", Json::array({provenance})}};
+  const bool is_of_lattice = report.products.empty();
+  Json json{{"schema", "beadswim/bench/1"},
+            {"processor", processor_name()},
+            {"instruction_set", sweep_instruction_set()},
+            {"rounds", report.rounds}};
+  if (is_of_lattice) json["bead_boundary"] = report.bead_boundary;
+  json["rows"] = report.rows;
+  if (is_of_lattice) {
+    json["bandwidth"] = {{"in_place_gb_s", report.bandwidths.front().in_place_gb_s},
+                         {"copy_gb_s", report.bandwidths.front().copy_gb_s},
+                         {"by_ranks", report.bandwidths}};
+  } else {
+    json["mobility_products"] = report.products;
+  }
+  json["provenance"] = Json::array({provenance});
+  return json;
 }
 
 std::string bench_table(const BenchReport& report) {

@@ -4,12 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/core/communicator.hpp"
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/lattice/precision.hpp"
 #include "mobility_products.hpp"
 
 namespace beadswim {
+
+/// The measurements that the command line requests of the lattice solver.
+struct BenchRequest {
+  std::vector<int> edges{64, 128, 256};  ///< cells per axis and rank
+  std::vector<Precision> precisions{Precision::fp64, Precision::fp32};
+  int rounds = 9;                                    ///< repetitions of each case
+  BeadScheme bead_boundary = BeadScheme::staircase;  ///< scheme of the case coupled-swarm
+};
 
 /// Result of one benchmark case at one precision, edge and number of ranks. Rates are sums over all ranks.
 /// The yardstick is an upper bound of the speed of a time step: a case that loads and stores all populations
@@ -69,6 +78,11 @@ struct BenchReport {
   std::vector<BandwidthRow> bandwidths{};
   std::vector<ProductRow> products{};  ///< mobility products; rows and bandwidths are then empty
 };
+
+/// Times all requested cases on one rank and on all ranks, and prints the progress to stderr. Only the report
+/// on rank 0 is complete. Throws InputError on all ranks if the cubes of an edge need more memory than is
+/// free. Collective.
+BenchReport measure_all(const BenchRequest& request, const Communicator& world);
 
 /// Converts the report to a document that follows schemas/bench.schema.json.
 Json bench_report_to_json(const BenchReport& report, const Json& provenance);

@@ -3,7 +3,7 @@
 
 #include "beadswim/core/rank_failure.hpp"
 #include "beadswim/tools/named_flags.hpp"
-#include "bench_groups.hpp"
+#include "bench_report.hpp"
 
 // beadswim-bench measures the speed of the lattice solver relative to the memory bandwidth of the machine.
 // With --beads it measures the time of mobility products (bead velocities from forces) instead.
@@ -94,13 +94,11 @@ int run(int argc, char** argv, const Communicator& world) {
                        "the flag applies to the lattice only, but --beads measures mobility products; leave "
                        "out the flag or --beads");
   }
-  BenchReport report{.rounds = options.request.rounds, .bead_boundary = options.request.bead_boundary};
-  if (options.products.beads.empty()) {
-    report = measure_all(options.request, world);
-  } else {
-    options.products.rounds = report.rounds;
-    report.products = measure_products(options.products, world);
-  }
+  options.products.rounds = options.request.rounds;
+  const BenchReport report = options.products.beads.empty()
+                                 ? measure_all(options.request, world)
+                                 : BenchReport{.rounds = options.request.rounds,
+                                               .products = measure_products(options.products, world)};
   if (world.is_root()) {
     write_text("-", options.json ? dump_json(bench_report_to_json(report, provenance_record(*program)))
                                  : bench_table(report));

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
-#include "beadswim/core/huge_pages.hpp"
-#include "beadswim/core/kernel_choice.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/lattice/fluid_step.hpp"
 #include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/levels.hpp"
 #include "beadswim/lattice/sweep.hpp"
-#include "stream_kernels.hpp"
-#include "swarm_scene.hpp"
+#include "beadswim/scene/presets.hpp"
+#include "yardstick.hpp"
 
 namespace beadswim {
 namespace {
@@ -47,14 +46,42 @@ void set_uniform_flow(Populations& populations) {
   });
 }
 
-}  // namespace
-
-double bytes_per_update(Precision precision) {
-  return 2.0 * d3q19::directions * static_cast<double>(bytes_per_population(precision));
+/// Returns a uniform swarm as in the paper (Pickl et al. 2017) in a periodic box of edge x edge x (edge x
+/// ranks) cells. Bead radius: 6 cells; arms: 32 cells; distance of neighbouring rows: 32 cells. The box
+/// contains as many swimmers as fit. A swimmer needs 96 cells along x. For a shorter edge, all lengths are
+/// multiplied by edge/96, so that the beads occupy the same volume fraction.
+CoupledScene swarm_scene(int edge, int ranks, Precision precision, BeadScheme bead_boundary) {
+  ThreeBeadSwimmer type = three_beads(paper_swarm().types.at("a"));
+  const double spacing = type.springs[0].rest_length, length = 3 * spacing;
+  const double scale = std::min(1.0, edge / length);
+  for (Bead& bead : type.beads) bead.radius *= scale;
+  for (Spring& spring : type.springs) spring.rest_length *= scale;
+  for (double& amplitude : type.driving.amplitude) amplitude *= scale * scale;
+  CoupledScene scene;
+  scene.cells = {edge, edge, edge * ranks};
+  scene.relaxation_time = relaxation_time;
+  scene.precision = precision;
+  scene.bead_boundary = bead_boundary;
+  scene.types = {swimmer_type(type)};
+  const Index3 swimmers =
+      (scene.cells.cast<double>() / (scale * Vec3(length, spacing, spacing).array()) + 1e-9)
+          .floor()
+          .cast<int>();
+  const Vec3 distance = scene.cells.cast<double>() / swimmers.cast<double>();
+  for (int z = 0; z < swimmers[2]; ++z) {
+    for (int y = 0; y < swimmers[1]; ++y) {
+      for (int x = 0; x < swimmers[0]; ++x) {
+        const Vec3 middle = distance.array() * (Vec3(x, y, z).array() + 0.5);
+        scene.swimmers.push_back(
+            {.id = static_cast<int>(scene.swimmers.size()), .type = 0, .position = middle});
+      }
+    }
+  }
+  return scene;
 }
 
 /// Memory and solvers for all cases of the benchmark at one floating-point precision.
-struct BenchScenes::Scene {
+struct Scene {
   Scene(int edge, Precision precision, BeadScheme bead_boundary, const Communicator& communicator)
       : precision(precision),
         decomposition(Index3(edge, edge, edge * communicator.size()), communicator.size()),
@@ -95,32 +122,33 @@ struct BenchScenes::Scene {
   Levels levels;
 };
 
-BenchScenes::BenchScenes(int edge, const std::vector<Precision>& precisions, BeadScheme bead_boundary,
-                         const Communicator& communicator) {
+}  // namespace
+
+double bytes_per_update(Precision precision) {
+  return 2.0 * d3q19::directions * static_cast<double>(bytes_per_population(precision));
+}
+
+std::vector<BenchCase> lattice_cases(int edge, const std::vector<Precision>& precisions,
+                                     BeadScheme bead_boundary, const Communicator& communicator) {
   const double cells = std::pow(edge, 3) * communicator.size();
+  std::vector<BenchCase> cases;
   for (const Precision precision : precisions) {
-    Scene* scene =
-        scenes_.emplace_back(std::make_unique<Scene>(edge, precision, bead_boundary, communicator)).get();
+    const auto scene = std::make_shared<Scene>(edge, precision, bead_boundary, communicator);
     const auto add = [&](const std::string& name, double updates, const std::function<void()>& step) {
-      cases_.push_back({.name = name, .precision = precision, .step = step, .updates = updates});
+      cases.push_back({.name = name, .precision = precision, .step = step, .updates = updates});
     };
     add("stream-yardstick", cells, [scene] { scene->yardstick.sweep(); });
+    cases.back().layout = scene->yardstick.layout().name;
     add("bare-sweep", cells, [scene] { scene->step(nullptr); });
     add("periodic-step", cells, [scene] { scene->step(&scene->periodic_halo); });
     add("wall-step", cells, [scene] { scene->step(&scene->walled_halo); });
     add("levels-step", scene->updates_of_levels(), [scene] { scene->step_levels(); });
     add("coupled-swarm", cells, [scene] { scene->swarm.step(); });
   }
+  return cases;
 }
 
-BenchScenes::~BenchScenes() = default;
-
-std::string BenchScenes::layout_name(Precision precision) const {
-  const auto scene = std::ranges::find_if(scenes_, [&](const auto& s) { return s->precision == precision; });
-  return (*scene)->yardstick.layout().name;
-}
-
-double BenchScenes::bytes(int edge, const std::vector<Precision>& precisions) {
+double lattice_bytes(int edge, const std::vector<Precision>& precisions) {
   // One lattice each for the yardstick, the fluid, the swarm and the fine level; the coarse level is smaller.
   constexpr double lattices = 4, bandwidth_arrays = 2;
   const double coarse_level = std::pow(edge / 2 + 2 * cells_around_level + 2, 3) / std::pow(edge + 2, 3);
@@ -130,21 +158,6 @@ double BenchScenes::bytes(int edge, const std::vector<Precision>& precisions) {
     bytes += ((lattices + coarse_level) * d3q19::directions * bytes_per_number + 1) * std::pow(edge + 2, 3);
   }
   return bytes;
-}
-
-Bandwidth::Bandwidth()
-    : source_(static_cast<double*>(allocate_zeros_on_huge_pages(num_elements * sizeof(double)))),
-      destination_(static_cast<double*>(allocate_zeros_on_huge_pages(num_elements * sizeof(double)))) {
-  for (long k = 0; k < num_elements; ++k)
-    source_[k] = 1 + k % 997;  // numbers that are not zero, as in the yardstick
-}
-
-void Bandwidth::copy() {
-  best_kernels<StreamKernels>().copy(source_.get(), destination_.get(), num_elements);
-}
-
-void Bandwidth::scale_in_place() {
-  best_kernels<StreamKernels>().scale_in_place(source_.get(), num_elements, 0.999);
 }
 
 }  // namespace beadswim
