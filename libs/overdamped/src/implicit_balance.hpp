@@ -1,32 +1,11 @@
 #pragma once
 
-#include <span>
 #include <variant>
 #include <vector>
 
-#include "bead_vectors.hpp"
-#include "beadswim/core/communicator.hpp"
-#include "beadswim/overdamped/contacts.hpp"
-#include "beadswim/overdamped/overdamped_scene.hpp"
 #include "implicit_swimmer.hpp"
 
 namespace beadswim {
-
-/// References to the scene of a time step and its communicator, which must outlive this object.
-struct StepScene {
-  const OverdampedScene& scene;
-  std::span<const double> radii;  ///< radius of each bead [length]
-  const ContactScale& contact_scale;
-  std::span<const BeadRange> bead_ranges;  ///< of each swimmer
-  std::span<const double> excess_masses;   ///< m' of each bead (implicit_swimmer.hpp); empty without memory
-  const Communicator& communicator;
-};
-
-/// Histories r of a time step (StepRule).
-struct StepHistory {
-  Beads displacements;  ///< in w u - r = h v [length]
-  Beads velocities;     ///< in w v - r = h dv/dt [length/time]; used only with memory of the fluid
-};
 
 /// Linear system of a time step, F + D v = drive and v = mu F, linearised at the expansion point u*
 /// (implicit_step.hpp). u: displacements of the beads in the step; v, F: velocities and forces at its end;
@@ -35,11 +14,8 @@ struct StepHistory {
 /// return Beads are collective.
 class ImplicitBalance {
  public:
-  /// Evaluates forces and contacts at the expansion point. `start`: positions of the beads at the start of
-  /// the step; `history`: histories r of displacements and velocities; `expansion_point`: u*;
-  /// `distant`: d. `history` and `expansion_point` must outlive this object.
-  ImplicitBalance(const StepScene& step, const StepRule& rule, const Beads& start, const StepHistory& history,
-                  const Beads& expansion_point, const Beads& distant);
+  /// Evaluates forces and contacts at the expansion point. The arguments must outlive this object.
+  ImplicitBalance(const StepScene& scene, const StepStart& step);
 
   /// Return u and F if each swimmer is solved alone, in the flow d passed to the constructor.
   Beads initial_displacements() const;
@@ -65,13 +41,11 @@ class ImplicitBalance {
   void share(Beads& beads) const;
   Beads displacements_from_expansion(const Beads& velocities) const;
 
-  const Communicator& communicator_;
-  StepRule rule_;
-  const Beads &history_, &expansion_point_;  ///< r, u*
-  std::size_t first_ = 0, last_ = 0;         ///< this rank has the swimmers [first_, last_)
-  std::span<const BeadRange> bead_ranges_;
+  const StepScene& scene_;
+  StepStart step_;
+  std::size_t first_ = 0, last_ = 0;  ///< this rank has the swimmers [first_, last_)
   std::vector<Part> parts_;
-  std::vector<Contact> internal_contacts_, external_contacts_;  ///< within one swimmer; all others
+  std::vector<Contact> own_contacts_, external_contacts_;  ///< between beads of one swimmer; all others
 };
 
 }  // namespace beadswim

@@ -34,16 +34,11 @@ constexpr int max_own_iterations = 20, max_iterations = 10;
 
 ImplicitStep::ImplicitStep(const OverdampedScene& scene, std::span<const double> radii,
                            const MobilityProduct& mobility, const Communicator& communicator)
-    : scene_(scene),
-      radii_(radii),
+    : scene_{.scene = scene, .radii = radii, .communicator = communicator},
       mobility_(mobility),
-      communicator_(communicator),
-      bead_ranges_(bead_ranges(scene)),
-      excess_masses_(excess_masses(scene)),
-      contact_scale_(scene),
       smallest_radius_(*std::ranges::min_element(radii)) {
   if (scene.memory) fluid_mass_ = scene.memory->density * scene.box->lengths.prod();
-  for (const double mass : excess_masses_) excess_share_ += mass / fluid_mass_;
+  for (const double mass : scene_.excess_masses) excess_share_ += mass / fluid_mass_;
   for (const SwimmerType& type : scene.types)
     for (const Bond& bond : type.bonds) shortest_arm_ = std::min(shortest_arm_, bond.rest_length);
 }
@@ -57,28 +52,20 @@ double ImplicitStep::largest_move(const Beads& from, const Beads& to) const {
     const double move = (to[b] - from[b]).norm() / smallest_radius_;
     if (!(move <= farthest)) farthest = move;  // true also if move is NaN
   }
-  MPI_Bcast(&farthest, 1, MPI_DOUBLE, 0, communicator_.get());
+  MPI_Bcast(&farthest, 1, MPI_DOUBLE, 0, scene_.communicator.get());
   return farthest;
-}
-
-StepScene ImplicitStep::step_scene() const {
-  return {.scene = scene_,
-          .radii = radii_,
-          .contact_scale = contact_scale_,
-          .bead_ranges = bead_ranges_,
-          .excess_masses = excess_masses_,
-          .communicator = communicator_};
 }
 
 Beads ImplicitStep::forces_at_rest(const StepRule& rule, const Beads& start) const {
   const Beads nothing(start.size(), Vec3::Zero());
   const StepHistory history{.displacements = nothing, .velocities = nothing};
-  return ImplicitBalance(step_scene(), rule, start, history, nothing, nothing).residual(nothing, nothing);
+  return ImplicitBalance(scene_, {rule, start, history, nothing, nothing}).residual(nothing, nothing);
 }
 
 Vec3 ImplicitStep::excess_momentum(const Beads& velocities) const {
   Vec3 momentum = Vec3::Zero();
-  for (std::size_t b = 0; b < excess_masses_.size(); ++b) momentum += excess_masses_[b] * velocities[b];
+  for (std::size_t b = 0; b < scene_.excess_masses.size(); ++b)
+    momentum += scene_.excess_masses[b] * velocities[b];
   return momentum;
 }
 
@@ -86,10 +73,10 @@ Vec3 ImplicitStep::excess_momentum(const Beads& velocities) const {
 //
 //   rho V u_0 + sum m' v = 0,   m': mass of a bead minus that of the displaced fluid
 Vec3 ImplicitStep::mean_flow(const Beads& velocities) const {
-  if (!scene_.memory) return Vec3::Zero();
+  if (!scene_.scene.memory) return Vec3::Zero();
   Vec3 flow = -excess_momentum(velocities) / fluid_mass_;
   for (int a = 0; a < 3; ++a)
-    if (scene_.box->has_mirrors(a)) flow[a] = 0;
+    if (scene_.scene.box->has_mirrors(a)) flow[a] = 0;
   return flow;
 }
 
@@ -97,17 +84,15 @@ Vec3 ImplicitStep::momentum(const Beads& velocities) const {
   return fluid_mass_ * mean_flow(velocities) + excess_momentum(velocities);
 }
 
-ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start, const StepHistory& history,
-                                       const Beads& guess, const Beads& distant) const {
-  const StepScene scene = step_scene();
-  Beads expansion_point = guess;
-  ImplicitStepResult result;
-  result.distant = distant;
+ImplicitStepResult ImplicitStep::solve(const StepStart& step) const {
+  Beads expansion_point = step.expansion_point;
+  ImplicitStepResult result{.distant = step.distant};
+  const StepStart at{step.rule, step.positions, step.history, expansion_point, result.distant};
   ProductWork work;
   for (int round = 1;; ++round) {
     std::optional<ImplicitBalance> balance;
     for (int alone = 1;; ++alone) {
-      balance.emplace(scene, rule, start, history, expansion_point, result.distant);
+      balance.emplace(scene_, at);
       Beads ends = balance->initial_displacements();
       const double move = largest_move(expansion_point, ends);
       // True also if `move` is NaN, which check_faults() reports later.
@@ -115,16 +100,16 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
       if (is_near || alone == max_own_iterations) break;
       expansion_point = std::move(ends);
     }
-    result = solve_linearised(*balance, expansion_point, start);
+    result = solve_linearised(at, *balance);
     work.add(result.work);
     const double move = largest_move(expansion_point, result.displacements);
     // If an arm of rest length l rotates, the linearised forces stretch it by about move^2/l. This error must
     // be below the tolerance times `way`, the root mean square displacement of the beads. `turn` is the
     // largest `move` that satisfies this.
-    const double way =
-        rule.span / rule.weight * flat(result.velocities).norm() / std::sqrt(3.0 * start.size());
-    const double turn = std::sqrt(scene_.tolerance * shortest_arm_ * way) / smallest_radius_;
-    const double cutoff = contact_scale_.min_cutoff_per_radius;
+    const double way = step.rule.span / step.rule.weight * flat(result.velocities).norm() /
+                       std::sqrt(3.0 * step.positions.size());
+    const double turn = std::sqrt(scene_.scene.tolerance * shortest_arm_ * way) / smallest_radius_;
+    const double cutoff = scene_.contact_scale.min_cutoff_per_radius;
     if (!(move > std::min(joint_move_tolerance * cutoff, turn)) || !result.is_converged) break;
     if (round == max_iterations) {
       result.is_converged = move < joint_move_limit * cutoff;
@@ -136,11 +121,11 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
   return result;
 }
 
-ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance,
-                                                  const Beads& expansion_point, const Beads& start) const {
+ImplicitStepResult ImplicitStep::solve_linearised(const StepStart& step,
+                                                  const ImplicitBalance& balance) const {
   ImplicitStepResult result;
-  Beads places = start;
-  flat(places) += flat(expansion_point);
+  Beads places = step.positions;
+  flat(places) += flat(step.expansion_point);
   // The mean flow u_0 depends on the velocities y + u_0 themselves: u_0 = u_0(y)/(1 + sum m'/(rho V)).
   const auto product = [&](const Beads& forces, FlowPart part) {
     Beads velocities(forces.size());
@@ -160,10 +145,11 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
     Beads own = balance.own_forces(residual);
     const Beads answer = balance.own_velocities(own);
     std::array<double, 2> norms{flat(answer).norm(), flat(velocities).norm()};
-    MPI_Bcast(norms.data(), 2, MPI_DOUBLE, 0, communicator_.get());  // all ranks must make the same decision
+    MPI_Bcast(norms.data(), 2, MPI_DOUBLE, 0,
+              scene_.communicator.get());  // all ranks must make the same decision
     const auto [missing, speed] = norms;
     // False if a norm is NaN, which check_faults() reports later.
-    const bool is_missing = missing > residual_share * scene_.tolerance * speed;
+    const bool is_missing = missing > residual_share * scene_.scene.tolerance * speed;
     if (!is_missing || result.work.products >= max_products) {
       result.is_converged = !is_missing && result.work.is_converged;
       result.distant = velocities;
@@ -183,10 +169,10 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
     }
     const double norm = flat(next.left_hand_side).norm();
     for (Beads* part : {&next.forces, &next.velocities, &next.left_hand_side}) flat(*part) /= norm;
-    const double step = flat(next.left_hand_side).dot(flat(residual));
-    flat(forces) += step * flat(next.forces);
-    flat(velocities) += step * flat(next.velocities);
-    flat(residual) -= step * flat(next.left_hand_side);
+    const double along = flat(next.left_hand_side).dot(flat(residual));
+    flat(forces) += along * flat(next.forces);
+    flat(velocities) += along * flat(next.velocities);
+    flat(residual) -= along * flat(next.left_hand_side);
     directions.push_back(std::move(next));
     if (directions.size() > max_directions) directions.pop_front();
   }

@@ -1,12 +1,8 @@
 #pragma once
 
 #include <limits>
-#include <span>
 
-#include "beadswim/core/communicator.hpp"
 #include "beadswim/mobility/mobility_product.hpp"
-#include "beadswim/overdamped/contacts.hpp"
-#include "beadswim/overdamped/overdamped_scene.hpp"
 #include "implicit_balance.hpp"
 
 // An implicit time step of all swimmers. The unknowns are the displacements u of the beads from the start of
@@ -40,12 +36,12 @@
 namespace beadswim {
 
 struct ImplicitStepResult {
-  Beads displacements;  ///< u, displacements of the beads in the step
-  Beads velocities;     ///< v, velocities of the beads at the end of the step
-  Beads forces;         ///< F, forces of the beads on the fluid at the end of the step
-  Beads places;         ///< positions at which the mobility was evaluated
-  Beads distant;        ///< d, velocities of the beads in the flow of all other swimmers
-  ProductWork work;     ///< of all mobility products evaluated
+  Beads displacements{};  ///< u, displacements of the beads in the step
+  Beads velocities{};     ///< v, velocities of the beads at the end of the step
+  Beads forces{};         ///< F, forces of the beads on the fluid at the end of the step
+  Beads places{};         ///< positions at which the mobility was evaluated
+  Beads distant{};        ///< d, velocities of the beads in the flow of all other swimmers
+  ProductWork work{};     ///< of all mobility products evaluated
   /// Smallest gap of all contacts at the end of the step [length]; infinity without contacts.
   double smallest_gap = std::numeric_limits<double>::infinity();
   bool is_converged = true;
@@ -57,11 +53,8 @@ class ImplicitStep {
   ImplicitStep(const OverdampedScene& scene, std::span<const double> radii, const MobilityProduct& mobility,
                const Communicator& communicator);
 
-  /// Solves one step. `start`: positions at the start of the step; `history`: r (StepRule);
-  /// `guess`: initial guess of the displacements u; `distant`: extrapolated velocities d in the flow of all
-  /// other swimmers. All arrays contain all beads and are equal on all ranks. Collective.
-  ImplicitStepResult solve(const StepRule& rule, const Beads& start, const StepHistory& history,
-                           const Beads& guess, const Beads& distant) const;
+  /// Solves one step, with the flow d of all other swimmers as extrapolated from earlier steps. Collective.
+  ImplicitStepResult solve(const StepStart& step) const;
 
   /// Returns the forces on beads at rest at `start`, at the time of the rule.
   Beads forces_at_rest(const StepRule& rule, const Beads& start) const;
@@ -74,22 +67,15 @@ class ImplicitStep {
   Vec3 momentum(const Beads& velocities) const;
 
  private:
-  ImplicitStepResult solve_linearised(const ImplicitBalance& balance, const Beads& expansion_point,
-                                      const Beads& start) const;
+  ImplicitStepResult solve_linearised(const StepStart& step, const ImplicitBalance& balance) const;
   double largest_move(const Beads& from, const Beads& to) const;
 
-  StepScene step_scene() const;
   Vec3 excess_momentum(const Beads& velocities) const;
 
-  const OverdampedScene& scene_;
-  std::span<const double> radii_;
+  StepScene scene_;
   const MobilityProduct& mobility_;
-  const Communicator& communicator_;
-  std::vector<BeadRange> bead_ranges_;
-  std::vector<double> excess_masses_;  ///< empty without memory of the fluid
   double fluid_mass_ = 0;              ///< rho V: mass of fluid that would fill the box; 0 without memory
   double excess_share_ = 0;            ///< sum of the excess masses, divided by fluid_mass_
-  ContactScale contact_scale_;
   double smallest_radius_;                                         ///< radius of the smallest bead [length]
   double shortest_arm_ = std::numeric_limits<double>::infinity();  ///< smallest rest length [length]
 };

@@ -2,8 +2,9 @@
 
 #include <Eigen/LU>
 
+#include "bead_vectors.hpp"
+#include "beadswim/core/communicator.hpp"
 #include "beadswim/overdamped/contacts.hpp"
-#include "beadswim/swimmers/swimmer_matrices.hpp"
 
 // One swimmer in an implicit time step. v are the velocities of its beads at the end of the step. u are their
 // displacements from the start of the step, with w u - r = h v (StepRule). The forces F are linearised at the
@@ -32,33 +33,42 @@ struct StepRule {
   double time = 0;    ///< time at the end of the step [time]
 };
 
-/// A swimmer and all quantities that act on it. Vectors contain x, y, z of bead 1, of bead 2, ... An external
-/// contact is a contact with another swimmer or with an image.
-template <int Size>
-struct SwimmerSurroundings {
-  using Vector = SwimmerVector<Size>;
-
-  const SwimmerType& type;
-  const Eigen::Matrix3d& initial_orientation;  ///< orientation at the start of the run
-  Vector start;                                ///< positions of the beads at the start of the step [length]
-  Vector history, expansion_point;  ///< history r, expansion point u* of the displacements [length]
-  Vector distant;                   ///< d, velocities in the flow of all other swimmers [length/time]
-  Vector inertia;                   ///< m' w/h, for the force of inertia -m' dv/dt [mass/time]
-  Vector inertia_forces;            ///< m' times the history of the velocities, divided by h [force]
-  Vector external_forces;           ///< forces of the external contacts at u* [force]
-  const Eigen::MatrixXd& external_stiffness;  ///< of the external contacts [mass/time^2]; empty: no contacts
-  double viscosity = 0;                       ///< dynamic viscosity eta [mass/(length time)]
-  double step_wavenumber = 0;                 ///< kappa of step_mobility.hpp [1/length]; 0: steady flow
-  double contact_strength = 0;                ///< strength of the repulsion (ContactScale) [force]
-  double own_cutoff_per_radius = 0;  ///< cutoff for two beads of the swimmer, divided by their mean radius
+/// What all time steps of a scene have in common.
+struct StepScene {
+  const OverdampedScene& scene;
+  std::span<const double> radii;  ///< radius of each bead [length]
+  const Communicator& communicator;
+  ContactScale contact_scale{scene};
+  std::vector<BeadRange> bead_ranges = beadswim::bead_ranges(scene);  ///< of each swimmer
+  /// m' of each bead; empty without memory.
+  std::vector<double> excess_masses = beadswim::excess_masses(scene);
 };
 
-/// Linear system (1 + D mu_own) F = drive - D d of a swimmer, and its solution for the given d. An external
-/// contact is a contact with another swimmer or with an image.
+/// Histories r of a time step (StepRule).
+struct StepHistory {
+  Beads displacements;  ///< in w u - r = h v [length]
+  Beads velocities;     ///< in w v - r = h dv/dt [length/time]; used only with memory of the fluid
+};
+
+/// A time step. The vectors of all beads are equal on all ranks, and must outlive this object.
+struct StepStart {
+  const StepRule& rule;
+  const Beads& positions;        ///< at the start of the step [length]
+  const StepHistory& history;    ///< r
+  const Beads& expansion_point;  ///< u*, at first a guess of the displacements u [length]
+  const Beads& distant;          ///< d, velocities in the flow of all other swimmers [length/time]
+};
+
+/// Contacts of a swimmer at u*: with itself, and external ones with other swimmers and with images.
+struct SwimmerContacts {
+  std::span<const Contact> own;               ///< by the numbers of the beads
+  const Beads& external_forces;               ///< on all beads [force]
+  const Eigen::MatrixXd& external_stiffness;  ///< [mass/time^2]; empty without contacts
+};
+
+/// Linear system (1 + D mu_own) F = drive - D d of a swimmer, and its solution for the given d.
 template <int Size>
 struct ImplicitSwimmer {
-  static constexpr int size = Size;  ///< number of vector components, or Eigen::Dynamic
-
   SwimmerVector<Size> drive;       ///< drive without external contacts [force]
   SwimmerMatrix<Size> resistance;  ///< D without external contacts [mass/time]
   SwimmerMatrix<Size> mobility;    ///< mu_own, mobility of the swimmer alone in open space [time/mass]
@@ -67,9 +77,9 @@ struct ImplicitSwimmer {
   SwimmerVector<Size> end;  ///< u, displacements of the beads at the end of the step [length]
 };
 
-/// Evaluates the linear system of a swimmer in one time step and solves it, with given velocities d in the
-/// flow of all other swimmers.
+/// Evaluates the linear system of swimmer `number` in one time step, and solves it for the given d.
 template <int Size>
-ImplicitSwimmer<Size> implicit_swimmer(const StepRule& rule, const SwimmerSurroundings<Size>& surroundings);
+ImplicitSwimmer<Size> implicit_swimmer(const StepScene& scene, const StepStart& step, std::size_t number,
+                                       const SwimmerContacts& contacts);
 
 }  // namespace beadswim

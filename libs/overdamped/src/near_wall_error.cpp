@@ -1,4 +1,4 @@
-#include "beadswim/overdamped/near_wall_error.hpp"
+#include "beadswim/overdamped/overdamped_setup.hpp"
 
 #include <algorithm>
 #include <array>

@@ -35,15 +35,8 @@ bool has_three_beads_in_order(const SwimmerType& type) {
 }  // namespace
 
 MobilityScene mobility_scene(const OverdampedScene& scene) {
-  MobilityScene mobility{.model = scene.model,
-                         .viscosity = scene.viscosity,
-                         .box = scene.box,
-                         .radii = bead_radii(scene),
-                         .tolerance = scene.tolerance,
-                         .moment_order = scene.moment_order,
-                         .memory = scene.memory,
-                         .half_space = scene.half_space,
-                         .flow = scene.flow};
+  MobilityScene mobility = scene;
+  mobility.radii = bead_radii(scene);
   const std::vector<BeadRange> ranges = bead_ranges(scene);
   for (std::size_t s = 0; s < ranges.size(); ++s) {
     if (has_three_beads_in_order(scene.type_of(scene.swimmers[s])))
@@ -96,7 +89,7 @@ std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
 /// Solves one step from the present positions. Adds the mobility products that this needs to state_.work.
 ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const StepHistory& history,
                                                 const Beads& guess, const Beads& distant) {
-  ImplicitStepResult result = implicit_step_->solve(rule, state_.positions[0], history, guess, distant);
+  ImplicitStepResult result = implicit_step_->solve({rule, state_.positions[0], history, guess, distant});
   state_.work.add(result.work);
   is_converged_ = is_converged_ && result.is_converged;
   return result;
@@ -136,19 +129,16 @@ bool OverdampedSystem::moves_far(const Beads& from, const Beads& to) const {
 }
 
 /// Takes one step of length h as `parts` implicit Euler substeps: u_k = u_{k-1} + (h/parts) v_k.
-OverdampedSystem::Step OverdampedSystem::take_euler_steps(int parts) {
+ImplicitStepResult OverdampedSystem::take_euler_steps(int parts) {
   const double span = scene_.step / parts;
-  Step step{.displacements = Beads(radii_.size(), Vec3::Zero()),
-            .velocities = state_.velocities[0],
-            .distant = state_.distant[0]};
+  ImplicitStepResult step{.displacements = Beads(radii_.size(), Vec3::Zero()),
+                          .velocities = state_.velocities[0],
+                          .distant = state_.distant[0]};
   for (int k = 1; k <= parts; ++k) {
     const StepRule rule{.weight = 1, .span = span, .time = time() + k * span};
     Beads guess = weighted_sum({{1, &step.displacements}, {span, &step.velocities}});
     if (moves_far(step.displacements, guess)) guess = step.displacements;
-    ImplicitStepResult result = solve_step(rule, {step.displacements, {}}, guess, step.distant);
-    step = {.displacements = std::move(result.displacements),
-            .velocities = std::move(result.velocities),
-            .distant = std::move(result.distant)};
+    step = solve_step(rule, {step.displacements, {}}, guess, step.distant);
   }
   return step;
 }
@@ -156,13 +146,13 @@ OverdampedSystem::Step OverdampedSystem::take_euler_steps(int parts) {
 /// Takes one step of third order. The results of 1, 2 and 3 implicit Euler substeps are extrapolated, so that
 /// the errors of order h and h^2 cancel.
 void OverdampedSystem::take_first_step() {
-  const Step one = take_euler_steps(1), two = take_euler_steps(2), three = take_euler_steps(3);
-  const auto extrapolated = [&](Beads Step::*part) {
+  const ImplicitStepResult one = take_euler_steps(1), two = take_euler_steps(2), three = take_euler_steps(3);
+  const auto extrapolated = [&](Beads ImplicitStepResult::*part) {
     return weighted_sum({{0.5, &(one.*part)}, {-4, &(two.*part)}, {4.5, &(three.*part)}});
   };
-  accept({.displacements = extrapolated(&Step::displacements),
-          .velocities = extrapolated(&Step::velocities),
-          .distant = extrapolated(&Step::distant)});
+  accept({.displacements = extrapolated(&ImplicitStepResult::displacements),
+          .velocities = extrapolated(&ImplicitStepResult::velocities),
+          .distant = extrapolated(&ImplicitStepResult::distant)});
 }
 
 /// Takes one step by the backward difference formula of third order. It uses displacements from the present
@@ -183,9 +173,7 @@ void OverdampedSystem::take_bdf_step() {
   state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
   if (scene_.memory)
     add_work(mobility_.end_step(result.places, result.forces, implicit_step_->mean_flow(result.velocities)));
-  accept({.displacements = std::move(result.displacements),
-          .velocities = std::move(result.velocities),
-          .distant = std::move(result.distant)});
+  accept(std::move(result));
 }
 
 Vec3 OverdampedSystem::mean_flow() const {
@@ -244,7 +232,7 @@ void OverdampedSystem::restore_memory(std::span<const double> memory) {
   mobility_.restore(own);
 }
 
-void OverdampedSystem::accept(Step step) {
+void OverdampedSystem::accept(ImplicitStepResult step) {
   const auto keep = [](auto& past, Beads now) {
     std::rotate(past.begin(), past.end() - 1, past.end());
     past[0] = std::move(now);

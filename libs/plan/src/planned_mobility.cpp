@@ -10,7 +10,6 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/mobility/force_moments.hpp"
-#include "beadswim/overdamped/near_wall_error.hpp"
 #include "beadswim/overdamped/overdamped_setup.hpp"
 #include "beadswim/run/reason_against.hpp"
 #include "beadswim/run/run_length.hpp"

@@ -8,7 +8,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
 #include "beadswim/mobility/force_moments.hpp"
-#include "beadswim/overdamped/near_wall_error.hpp"
+#include "beadswim/overdamped/overdamped_setup.hpp"
 #include "beadswim/run/percent.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "checkpoint_sections.hpp"

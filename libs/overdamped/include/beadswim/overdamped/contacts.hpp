@@ -4,15 +4,40 @@
 #include <span>
 #include <vector>
 
-#include "beadswim/overdamped/contact_force.hpp"
 #include "beadswim/overdamped/overdamped_scene.hpp"
 
+// Repulsive force F between close beads in runs with a mobility model.
+//
+//   F = strength (cutoff/gap - 1)    for gap < cutoff, else 0
+//
+//   gap       distance between the surfaces [length]
+//   cutoff    a fifth of the mean radius, or less (ContactScale) [length]
+//   strength  largest driving force in the scene [force]; F equals it at gap = cutoff/2
+//
+// For gap < cutoff/20, F continues linearly with the gap, so that overlapping beads separate again. F is a
+// numerical model without physical parameters. If contacts determine the result, use a resolved run (on
+// the lattice) instead. Page: docs/method/contact-repulsion.md.
+
 namespace beadswim {
+
+struct ContactForce {
+  double force = 0;      ///< F, repulsion [force]
+  double stiffness = 0;  ///< -dF/dgap [force/length]
+};
+
+/// Evaluates the repulsion F [force] and its stiffness -dF/dgap [force/length] for a gap and a cutoff
+/// [length]. strength: F at gap = cutoff/2 [force].
+inline ContactForce contact_force(double gap, double cutoff, double strength) {
+  if (gap >= cutoff) return {};
+  const double above = gap > cutoff / 20 ? gap : cutoff / 20;
+  const double stiffness = strength * cutoff / (above * above);
+  return {.force = strength * (cutoff / above - 1) + stiffness * (above - gap), .stiffness = stiffness};
+}
 
 /// Two beads that repel each other, or a bead and its own mirror image.
 struct Contact {
   int first = 0, second = 0;   ///< indices of the beads; equal for a bead and its own mirror image
-  bool is_image = false;       ///< true if not the second bead itself but an image of it is in contact
+  bool is_own = false;         ///< true for two beads of one swimmer, neither of them an image
   Vec3 normal = Vec3::Zero();  ///< unit vector from the second bead to the first
   double gap = 0;              ///< distance between the surfaces of the beads, or of bead and image [length]
   double cutoff = 0;           ///< gap below which the beads repel each other [length]

@@ -38,4 +38,8 @@ struct OverdampedSetup {
 OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
                                  int frames_per_cycle, const std::string& source);
 
+/// Returns the relative error of the mobility of one sphere over a plane no-slip wall, at this height over
+/// its radius: across the wall, where it is largest, and along it with rpy+near.
+double error_near_wall(double height, MobilityModel model, const MobilitySettings& settings);
+
 }  // namespace beadswim

@@ -149,19 +149,15 @@ class OverdampedSystem {
   void restore(OverdampedState state);
 
  private:
-  struct Step {
-    Beads displacements, velocities, distant;
-  };
-
   ImplicitStepResult solve_step(const StepRule& rule, const StepHistory& history, const Beads& guess,
                                 const Beads& distant);
   void add_work(const ProductWork& work);
   void solve_initial_velocities();
   bool moves_far(const Beads& from, const Beads& to) const;
-  Step take_euler_steps(int parts);
+  ImplicitStepResult take_euler_steps(int parts);
   void take_first_step();
   void take_bdf_step();
-  void accept(Step step);
+  void accept(ImplicitStepResult step);
   void update_extremes();
   void check_faults();
   std::optional<OverdampedFault> mobility_fault();
