@@ -11,7 +11,7 @@
 #include "beadswim/theory/scene_numbers.hpp"
 #include "beadswim/tools/program.hpp"
 #include "commands.hpp"
-#include "layout_filter.hpp"
+#include "layout_output.hpp"
 
 namespace beadswim {
 namespace {
@@ -27,43 +27,37 @@ std::string row(const std::string& name, const std::string& value) {
   return fmt::format("  {:<58} {}\n", name, value);
 }
 
-std::string row(const std::string& name, double value) {
-  return row(name, fmt::format("{:.4g}", value));
+/// Return no row for a number that is not known, and for an empty list.
+std::string row(const std::string& name, const std::optional<double>& value) {
+  return value ? row(name, fmt::format("{:.4g}", *value)) : "";
+}
+std::string row(const std::string& name, std::span<const double> values) {
+  return values.empty() ? "" : row(name, joined(values));
 }
 
 std::string table_of(const std::string& name, const TypeNumbers& numbers) {
-  std::string text = fmt::format("type {}\n", name);
-  if (numbers.phase) text += row("driving phase alpha [rad]", *numbers.phase);
-  if (numbers.reynolds) text += row("Re = 2 lambda v/nu, fastest bead", *numbers.reynolds);
-  text += row("penetration depth delta = sqrt(2 nu/omega)", numbers.penetration_depth);
-  text += row("lambda/delta", numbers.radius_over_penetration_depth);
-  if (!numbers.arm_gap.empty()) {
-    const char* arms = numbers.arm_gap.size() == 2 ? "arms 1, 2" : "bonds";
-    text += row(fmt::format("l/lambda, {}", arms), joined(numbers.arm_over_radius));
-    text += row(fmt::format("gamma omega/k, {}", arms), joined(numbers.drag_over_spring));
-  }
-  if (!numbers.arm_amplitude.empty())
-    text += row("predicted arm amplitudes d1, d2 (first order, Rotne-Prager)", joined(numbers.arm_amplitude));
-  if (!numbers.arm_gap.empty()) text += row("gaps between an arm's beads at rest", joined(numbers.arm_gap));
-  if (numbers.start_displacement)
-    text += row("displacement of beads at the start from \"at\"", *numbers.start_displacement);
-  if (numbers.box_over_length) text += row("box/swimmer length, x, y, z", joined(*numbers.box_over_length));
-  if (numbers.strain_per_period)
-    text += row("strain of the background flow per period, G T", *numbers.strain_per_period);
-  if (numbers.shear_reynolds) text += row("Re of the shear = G lambda^2/nu", *numbers.shear_reynolds);
-  return text;
+  const char* arms = numbers.arm_gap.size() == 2 ? "arms 1, 2" : "bonds";
+  const auto& box = numbers.box_over_length;
+  return fmt::format("type {}\n", name) + row("driving phase alpha [rad]", numbers.phase) +
+         row("Re = 2 lambda v/nu, fastest bead", numbers.reynolds) +
+         row("penetration depth delta = sqrt(2 nu/omega)", numbers.penetration_depth) +
+         row("lambda/delta", numbers.radius_over_penetration_depth) +
+         row(fmt::format("l/lambda, {}", arms), numbers.arm_over_radius) +
+         row(fmt::format("gamma omega/k, {}", arms), numbers.drag_over_spring) +
+         row("predicted arm amplitudes d1, d2 (first order, Rotne-Prager)", numbers.arm_amplitude) +
+         row("gaps between an arm's beads at rest", numbers.arm_gap) +
+         row("displacement of beads at the start from \"at\"", numbers.start_displacement) +
+         row("box/swimmer length, x, y, z", box ? std::span<const double>(*box) : std::span<const double>()) +
+         row("strain of the background flow per period, G T", numbers.strain_per_period) +
+         row("Re of the shear = G lambda^2/nu", numbers.shear_reynolds);
 }
 
 std::string table_of(const ResolutionNumbers& numbers) {
-  std::string text = "resolution hint\n";
-  text += row("cell", numbers.cell);
-  text += row("time step", numbers.time_step);
-  for (const auto& [name, steps] : numbers.steps_per_period) {
+  std::string text = "resolution hint\n" + row("cell", numbers.cell) + row("time step", numbers.time_step);
+  for (const auto& [name, steps] : numbers.steps_per_period)
     text += row(fmt::format("steps a period, type {}", name), steps);
-  }
-  if (numbers.cells_in_box) text += row("cells in the box", *numbers.cells_in_box);
-  if (numbers.mach) text += row("Mach number of the fastest bead", *numbers.mach);
-  return text;
+  return text + row("cells in the box", numbers.cells_in_box) +
+         row("Mach number of the fastest bead", numbers.mach);
 }
 
 std::string table_of(const Layout& layout, const SceneNumbers& numbers) {
@@ -76,8 +70,7 @@ std::string table_of(const Layout& layout, const SceneNumbers& numbers) {
                      row("units", units) +
                      row("smallest gap between surfaces (beads, images, walls)",
                          std::isfinite(gap) ? fmt::format("{:.4g}", gap) : "none");
-  if (numbers.smallest_relative_height)
-    text += row("smallest height over the wall/radius of the bead", *numbers.smallest_relative_height);
+  text += row("smallest height over the wall/radius of the bead", numbers.smallest_relative_height);
   for (const auto& [name, of_type] : numbers.types) text += table_of(name, of_type);
   if (numbers.resolution) text += table_of(*numbers.resolution);
   return text;

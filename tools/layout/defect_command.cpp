@@ -8,8 +8,7 @@
 #include "beadswim/scene/defects.hpp"
 #include "beadswim/tools/program.hpp"
 #include "commands.hpp"
-#include "layout_filter.hpp"
-#include "sound_layout.hpp"
+#include "layout_output.hpp"
 
 namespace beadswim {
 namespace {
@@ -68,28 +67,75 @@ class Defects {
  private:
   using Change = std::function<void(Layout&)>;
 
-  /// Adds the command for one kind of defect, with the flags that all kinds have in common. `examples`: flags
-  /// of each example in the help of the command.
-  CLI::App& add_kind(const std::string& name, const std::vector<std::string>& examples,
-                     const std::string& help, Change change);
-  /// Adds the flags --fraction and --count. `things`: what the flags count, and `otherwise`: the default,
-  /// both for the help.
-  void add_amount_flags(CLI::App& kind, const std::string& things, const std::string& otherwise);
-  void add_sigma(CLI::App& kind, const std::string& help,
-                 const CLI::Validator& values = number_between(0, 1e6));
-  void add_random(CLI::App& kind, const std::string& help);
-  void add_mixture();
   void add_numbers();
   void add_places();
   void add_drivings();
   void add_spacing();
+  void add_mixture();
+
+  /// Adds the command for one kind of defect, with the flags that all kinds have in common. `examples`: flags
+  /// of each example in the help of the command.
+  CLI::App& add_kind(const std::string& name, const std::vector<std::string>& examples,
+                     const std::string& help, Change change) {
+    CLI::App* const kind = command_.add_subcommand(name, help);
+    begin_group(*kind, "Options");
+    add_layout_files(*kind, files_);
+    kind->add_option("--seed", seed_,
+                     "Seed of the random numbers, a whole number from 0; equal seeds give equal changes")
+        ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
+        ->type_name("N")
+        ->capture_default_str();
+    kind->add_flag("--repair", repair_,
+                   "Move swimmers that overlap apart, to gaps of 1/20 of the smallest bead radius. Without "
+                   "this flag, an overlap is an error.");
+    std::vector<std::string> commands;
+    for (const std::string& flags : examples)
+      commands.push_back(fmt::format("beadswim-layout defect {0} swarm.json {1} >{0}.json", name, flags));
+    set_footer(*kind, commands, "method/defects.md");
+    kinds_.emplace_back(kind, std::move(change));
+    return *kind;
+  }
+
+  /// Adds the flags --fraction and --count. `things`: what the flags count, and `otherwise`: the default,
+  /// both for the help.
+  void add_amount_flags(CLI::App& kind, const std::string& things, const std::string& otherwise) {
+    auto* const fraction =
+        kind.add_option(
+                "--fraction", fraction_,
+                fmt::format("Number of {}, as a fraction of the total number in the layout, from 0 to 1",
+                            things))
+            ->type_name("F")
+            ->check(number_between(0, 1));
+    kind.add_option("--count", count_, fmt::format("Number of {}", things))
+        ->type_name("N")
+        ->default_str(otherwise)
+        ->check(whole_number(0, 10000000))
+        ->excludes(fraction);
+  }
+
+  void add_sigma(CLI::App& kind, const std::string& help,
+                 const CLI::Validator& values = number_between(0, 1e6)) {
+    const auto store = [this](const std::string& text) { sigma_ = parse_angle(text); };
+    kind.add_option_function<std::string>("--sigma", store, help)->type_name("S")->check(values);
+  }
+
+  void add_random(CLI::App& kind, const std::string& help) {
+    kind.add_flag("--random", random_, help)->excludes(kind.get_option("--sigma"));
+  }
 
   /// Returns the value of --fraction or --count. Throws InputError if neither is given.
-  ShareOrCount share_or_count() const;
+  ShareOrCount share_or_count() const {
+    if (count_) return *count_;
+    if (!fraction_)
+      throw InputError("command line", "the flag --fraction or --count is missing; give one of them");
+    return *fraction_;
+  }
   /// Returns the value of --fraction or --count. Returns the fraction 1 if neither is given.
-  ShareOrCount amount_or_all() const;
+  ShareOrCount amount_or_all() const { return fraction_ || count_ ? share_or_count() : ShareOrCount{1.0}; }
   /// Draws the swimmers to change at random and returns their indices.
-  std::vector<std::size_t> chosen_swimmers(const Layout& layout) const;
+  std::vector<std::size_t> chosen_swimmers(const Layout& layout) const {
+    return draw_swimmer_indices(layout, amount_or_all(), seed_);
+  }
 
   CLI::App& command_;
   std::vector<std::pair<CLI::App*, Change>> kinds_;
@@ -180,51 +226,6 @@ void Defects::add_drivings() {
   add_amount_flags(frequencies, "swimmers to change", "all");
 }
 
-CLI::App& Defects::add_kind(const std::string& name, const std::vector<std::string>& examples,
-                            const std::string& help, Change change) {
-  CLI::App* const kind = command_.add_subcommand(name, help);
-  begin_group(*kind, "Options");
-  add_layout_files(*kind, files_);
-  kind->add_option("--seed", seed_,
-                   "Seed of the random numbers, a whole number from 0; equal seeds give equal changes")
-      ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
-      ->type_name("N")
-      ->capture_default_str();
-  kind->add_flag("--repair", repair_,
-                 "Move swimmers that overlap apart, to gaps of 1/20 of the smallest bead radius. Without "
-                 "this flag, an overlap is an error.");
-  std::vector<std::string> commands;
-  for (const std::string& flags : examples)
-    commands.push_back(fmt::format("beadswim-layout defect {0} swarm.json {1} >{0}.json", name, flags));
-  set_footer(*kind, commands, "method/defects.md");
-  kinds_.emplace_back(kind, std::move(change));
-  return *kind;
-}
-
-void Defects::add_amount_flags(CLI::App& kind, const std::string& things, const std::string& otherwise) {
-  auto* const fraction =
-      kind.add_option(
-              "--fraction", fraction_,
-              fmt::format("Number of {}, as a fraction of the total number in the layout, from 0 to 1",
-                          things))
-          ->type_name("F")
-          ->check(number_between(0, 1));
-  kind.add_option("--count", count_, fmt::format("Number of {}", things))
-      ->type_name("N")
-      ->default_str(otherwise)
-      ->check(whole_number(0, 10000000))
-      ->excludes(fraction);
-}
-
-void Defects::add_sigma(CLI::App& kind, const std::string& help, const CLI::Validator& values) {
-  const auto store = [this](const std::string& text) { sigma_ = parse_angle(text); };
-  kind.add_option_function<std::string>("--sigma", store, help)->type_name("S")->check(values);
-}
-
-void Defects::add_random(CLI::App& kind, const std::string& help) {
-  kind.add_flag("--random", random_, help)->excludes(kind.get_option("--sigma"));
-}
-
 void Defects::add_spacing() {
   auto& layers =
       add_kind("spacing", {"--axis y --sigma 1", "--axis x --sigma 4 --whole 1 --seed 3"},
@@ -262,34 +263,15 @@ void Defects::add_mixture() {
   add_amount_flags(mixture, "swimmers to change", needed);
 }
 
-ShareOrCount Defects::share_or_count() const {
-  if (count_) return *count_;
-  if (!fraction_)
-    throw InputError("command line", "the flag --fraction or --count is missing; give one of them");
-  return *fraction_;
-}
-
-ShareOrCount Defects::amount_or_all() const {
-  return fraction_ || count_ ? share_or_count() : ShareOrCount{1.0};
-}
-
-std::vector<std::size_t> Defects::chosen_swimmers(const Layout& layout) const {
-  return draw_swimmer_indices(layout, amount_or_all(), seed_);
-}
-
 void Defects::run(const CLI::App& program) const {
-  for (const auto& [kind, change] : kinds_) {
-    if (!kind->parsed()) continue;
-    if (kind->get_option_no_throw("--sigma") && !random_ && !sigma_) {
-      throw InputError("command line", kind->get_option_no_throw("--random")
-                                           ? "the flag --sigma or --random is missing; give one of them"
-                                           : "the flag --sigma is missing; give a value");
-    }
-  }
+  const auto& [kind, change] = *std::ranges::find_if(kinds_, [](const auto& k) { return k.first->parsed(); });
+  if (kind->get_option_no_throw("--sigma") && !random_ && !sigma_)
+    throw InputError("command line", kind->get_option_no_throw("--random")
+                                         ? "the flag --sigma or --random is missing; give one of them"
+                                         : "the flag --sigma is missing; give a value");
   filter_layouts(files_, program, FilterOutput::like_input,
                  [&](const StreamMember&, LayoutDocument document, const auto& emit) {
-                   for (const auto& [kind, change] : kinds_)
-                     if (kind->parsed()) change(document.layout);
+                   change(document.layout);
                    if (repair_) repair_overlaps(document.layout);
                    require_sound(document.layout, "the defects",
                                  repair_ ? "" : "; --repair moves swimmers apart");

@@ -5,8 +5,7 @@
 #include "beadswim/scene/reduce.hpp"
 #include "beadswim/tools/program.hpp"
 #include "commands.hpp"
-#include "layout_filter.hpp"
-#include "sound_layout.hpp"
+#include "layout_output.hpp"
 #include "swimmer_flags.hpp"
 
 namespace beadswim {

@@ -9,7 +9,7 @@
 #include "beadswim/tools/named_flags.hpp"
 #include "beadswim/tools/program.hpp"
 #include "commands.hpp"
-#include "sound_layout.hpp"
+#include "layout_output.hpp"
 #include "swimmer_flags.hpp"
 
 namespace beadswim {
@@ -27,37 +27,34 @@ void add_number(CLI::App& command, const std::string& flag, std::optional<double
   command.add_option(flag, value, help)->type_name(type_name)->check(allowed)->default_str(initial);
 }
 
+/// Adds a flag whose text `take` converts and stores.
+void add_text(CLI::App& command, const std::string& flag, const std::function<void(const std::string&)>& take,
+              const CLI::Validator& allowed, const std::string& type_name, const std::string& help,
+              const std::string& initial) {
+  command.add_option_function(flag, take, help)->type_name(type_name)->check(allowed)->default_str(initial);
+}
+
 /// Adds a flag whose value is a list of numbers joined by commas. counts: allowed numbers of numbers.
 void add_list(CLI::App& command, const std::string& flag, std::vector<double>& values,
               const std::vector<std::size_t>& counts, const CLI::Validator& allowed,
               const std::string& type_name, const std::string& help, const std::string& initial) {
-  command
-      .add_option_function<std::string>(
-          flag, [&values](const std::string& text) { values = parse_numbers(text); }, help)
-      ->type_name(type_name)
-      ->check(number_list(counts, allowed))
-      ->default_str(initial);
+  const auto take = [&values](const std::string& text) { values = parse_numbers(text); };
+  add_text(command, flag, take, number_list(counts, allowed), type_name, help, initial);
 }
 
 void add_angle(CLI::App& command, const std::string& flag, double& radians, const std::string& help,
                const std::string& initial) {
-  command
-      .add_option_function<std::string>(
-          flag, [&radians](const std::string& text) { radians = parse_angle(text); }, help)
-      ->type_name("ALPHA")
-      ->check(angle())
-      ->default_str(initial);
+  const auto take = [&radians](const std::string& text) { radians = parse_angle(text); };
+  add_text(command, flag, take, angle(), "ALPHA", help, initial);
 }
 
 void add_direction(CLI::App& command, Vec3& direction) {
-  command
-      .add_option_function<std::string>(
-          "--direction",
-          [&direction](const std::string& text) { direction = parse_vector(text).stableNormalized(); },
-          "Direction of the force in the box, a vector of any length")
-      ->type_name("X,Y,Z")
-      ->check(number_list({3}, finite()))
-      ->default_str(fmt::format("{:g},{:g},{:g}", direction[0], direction[1], direction[2]));
+  const auto take = [&direction](const std::string& text) {
+    direction = parse_vector(text).stableNormalized();
+  };
+  add_text(command, "--direction", take, number_list({3}, finite()), "X,Y,Z",
+           "Direction of the force in the box, a vector of any length",
+           fmt::format("{:g},{:g},{:g}", direction[0], direction[1], direction[2]));
 }
 
 void add_chain(CLI::App& command, int& beads, int fewest, const std::string& counted,
@@ -252,17 +249,14 @@ void add_kind(CLI::App& shape, Kinds& kinds, const std::string& name, const std:
 void write_shapes(const Kinds& kinds, const CLI::App& program) {
   for (const auto& kind : kinds) {
     if (!kind->command->parsed()) continue;
-    LayoutDocument document{.layout = {}, .provenance = {provenance_record(program)}};
-    Layout& layout = document.layout;
+    Layout layout;
     layout.units = kind->fluid.units();
     require_own_numbers(*kind->command, layout.units);
     layout.fluid = {.density = 1, .kinematic_viscosity = 1.0 / 3};
     kind->fluid.apply(layout.fluid);
     layout.types[kind->command->get_name()] = kind->type(layout.fluid);
     kind->place->apply(layout);
-    require_sound(layout, "the flags");
-    const Json json = layout_to_json(document);
-    write_text("-", kind->json_lines ? dump_json_line(json) : dump_json(json));
+    write_made_layout(layout, program, kind->json_lines ? dump_json_line : dump_json);
   }
 }
 

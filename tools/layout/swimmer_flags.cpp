@@ -1,20 +1,38 @@
 #include "swimmer_flags.hpp"
 
-#include <utility>
+#include <fmt/core.h>
 
+#include <cmath>
+#include <numbers>
+
+#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/scene/presets.hpp"
+#include "beadswim/scene/units.hpp"
 #include "beadswim/tools/named_flags.hpp"
 
 namespace beadswim {
+namespace {
 
-SwimmerFlags::SwimmerFlags(CLI::App& command, std::vector<Preset> presets, const std::string& preset_help)
-    : presets_(std::move(presets)) {
-  command.add_option("--preset", preset_, preset_help)->type_name("NAME")->default_str("none");
-  add_absent_flag(command, "--beads,--bead-count,--num-beads,--number-of-beads",
-                  "no such flag: a swimmer has three beads and two arms; --radius, --bead-density and --arm "
-                  "describe them");
-  for (const NamedQuantity& quantity : named_quantities())
-    quantities_.add(command, quantity, quantity.initial);
-  quantities_.add_units(command);
+Units::Unit unit_named(Quantity quantity, const std::string& name) {
+  if (const Units::Unit* unit = find_known_unit(quantity, name)) return *unit;
+  std::vector<std::string> names;
+  for (const Units::Unit& unit : known_units(quantity)) names.push_back(unit.name);
+  throw InputError("--units", format_unknown_name(name, names));
+}
+
+}  // namespace
+
+Vec3 parse_vector(const std::string& text) {
+  const std::vector<double> numbers = parse_numbers(text);
+  return numbers.size() == 1 ? Vec3(Vec3::Constant(numbers[0])) : Vec3(numbers[0], numbers[1], numbers[2]);
+}
+
+void warn_of_turns(const std::string& phase) {
+  if (std::abs(parse_angle(phase)) <= 2 * std::numbers::pi || phase.ends_with("deg")) return;
+  print_to_stderr(
+      fmt::format("beadswim-layout: warning: --phase: {} rad is more than one turn; if the value is in "
+                  "degrees, write --phase={}deg\n",
+                  phase, phase));
 }
 
 void QuantityFlags::add(CLI::App& command, const NamedQuantity& quantity, const std::string& initial) {
@@ -47,6 +65,26 @@ void QuantityFlags::add_units(CLI::App& command) {
                   "to fg), such as um,s,pg; a preset is converted to them")
       ->type_name("lattice|LENGTH,TIME,MASS")
       ->default_str("lattice");
+}
+
+void QuantityFlags::apply(Fluid& fluid) const {
+  SwimmerParameters parameters{.fluid = fluid};
+  set_quantities(parameters, values_);
+  fluid = parameters.fluid;
+}
+
+Units QuantityFlags::units() const {
+  if (units_.empty() || units_ == "lattice") return {};
+  const std::vector<std::string> names = split_at_commas(units_);
+  if (names.size() != 3) {
+    throw InputError("--units", fmt::format("\"{}\": the value must be \"lattice\", or the names of the "
+                                            "units of length, time and mass, such as um,s,pg",
+                                            units_));
+  }
+  return {.lattice = false,
+          .length = unit_named(Quantity::length, names[0]),
+          .time = unit_named(Quantity::time, names[1]),
+          .mass = unit_named(Quantity::mass, names[2])};
 }
 
 PlaceFlags::PlaceFlags(CLI::App& command, const std::string& origin, const std::string& axis,
@@ -102,6 +140,45 @@ void PlaceFlags::add_orientation(CLI::App& command) {
       ->type_name("W,X,Y,Z")
       ->check(number_list({4}, finite()))
       ->excludes("--axis");
+}
+
+void PlaceFlags::apply_domain(Domain& domain) const {
+  if (unbounded_ || !half_space_.empty()) domain = {};
+  if (!half_space_.empty()) {
+    if (position_.empty())
+      throw InputError("--half-space",
+                       "the wall is at the coordinate 0; give the position of the swimmer above it with "
+                       "--position");
+    domain.half_space = half_space_across(half_space_);
+    return;
+  }
+  std::optional<Box>& box = domain.box;
+  if (!box && box_.empty()) {
+    if (!boundary_.empty())
+      throw InputError("--boundary", "unbounded fluid has no boundary; give the edges of a box with --box");
+    return;
+  }
+  if (!box) box.emplace();
+  if (!box_.empty()) box->lengths = parse_vector(box_);
+  if (boundary_.empty()) return;
+  const std::vector<std::string> names = split_at_commas(boundary_);
+  for (int axis = 0; axis < 3; ++axis)
+    box->boundary[axis] = from_text<Boundary>(names[names.size() == 1 ? 0 : axis]);
+}
+
+void PlaceFlags::apply(Layout& layout) const {
+  apply_domain(layout.domain);
+  const auto& [name, type] = *layout.types.begin();
+  Swimmer swimmer{.id = 0, .type = name};
+  if (!axis_.empty()) swimmer.axis = parse_vector(axis_).stableNormalized();
+  if (!orientation_.empty()) {
+    const std::vector<double> q = parse_numbers(orientation_);
+    swimmer.turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
+    swimmer.axis = swimmer.orientation().col(0);
+  }
+  swimmer.position = position_.empty() ? centred_position(type, swimmer.orientation(), layout.domain.box)
+                                       : parse_vector(position_);
+  layout.swimmers = {swimmer};
 }
 
 }  // namespace beadswim

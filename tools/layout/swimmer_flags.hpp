@@ -13,12 +13,6 @@ namespace beadswim {
 /// components.
 Vec3 parse_vector(const std::string& text);
 
-/// A named scene of the paper (Pickl et al. 2017). Its values are used for flags that are not given.
-struct Preset {
-  std::string name;
-  Layout (*layout)() = nullptr;
-};
-
 /// Flags of named quantities (study/named_quantity.hpp), and of the units of the layout.
 class QuantityFlags {
  public:
@@ -39,36 +33,6 @@ class QuantityFlags {
 /// Prints a warning if a phase in radian is more than one turn, and was probably meant in degrees. `phase`:
 /// value of the flag.
 void warn_of_turns(const std::string& phase);
-
-/// Sizes of the units of length, time and mass of a preset, in the units of the flag --units.
-struct UnitSizes {
-  double length = 1, time = 1, mass = 1;
-};
-
-/// Flags that describe a swimmer type and its fluid.
-class SwimmerFlags {
- public:
-  /// Adds the flags to the command. `preset_help`: description of the presets, for the help.
-  SwimmerFlags(CLI::App& command, std::vector<Preset> presets, const std::string& preset_help);
-
-  /// Returns the layout that the flags describe. It has one type, "a". Flags that are not given have the
-  /// values of the preset, converted to the units of the flag --units. Without a preset, throws InputError if
-  /// required flags are missing; the message lists these flags and `other_missing_flags`.
-  Layout layout(const std::vector<std::string>& other_missing_flags) const;
-
-  const std::string& preset() const { return preset_; }  ///< name of the preset; empty if none is given
-  /// Returns the sizes of the units of the preset. They follow from the bead radius, the viscosity and the
-  /// density of the flags. Throws InputError if one of these is missing.
-  UnitSizes preset_units() const;
-
- private:
-  void require_complete(const std::vector<std::string>& other_missing_flags) const;
-  Layout preset_layout() const;
-
-  std::vector<Preset> presets_;
-  std::string preset_;
-  QuantityFlags quantities_;
-};
 
 /// Flags for the box, the position and the orientation of one swimmer.
 class PlaceFlags {

@@ -60,11 +60,8 @@ std::vector<Json> list(const std::string& text, const std::string& all) {
   std::vector<Json> values;
   for (const std::string& part : split_at_commas(text)) {
     if (part.empty()) refuse(all, "a value is missing; write NAME=VALUE,VALUE,...");
-    if (const auto value = number_in(part)) {
-      values.emplace_back(*value);
-    } else {
-      values.emplace_back(part);
-    }
+    const auto value = number_in(part);
+    values.push_back(value ? Json(*value) : Json(part));
   }
   return values;
 }

@@ -2,7 +2,7 @@
 
 #include "beadswim/tools/program.hpp"
 #include "commands.hpp"
-#include "layout_filter.hpp"
+#include "layout_output.hpp"
 #include "swimmer_flags.hpp"
 #include "variation_text.hpp"
 

@@ -1,10 +1,11 @@
-#include "layout_filter.hpp"
+#include "layout_output.hpp"
 
 #include <fmt/core.h>
 
 #include <set>
 
 #include "beadswim/core/temporary_file.hpp"
+#include "beadswim/scene/check.hpp"
 #include "beadswim/scene/force_directions.hpp"
 #include "beadswim/tools/program.hpp"
 
@@ -30,6 +31,18 @@ void filter_layouts(const std::vector<std::string>& files, const CLI::App& progr
   std::int64_t written = 0;
   for (std::string part; !(part = read_bytes(text, written, 1 << 16)).empty(); written += std::ssize(part))
     write_text("-", part);
+}
+
+void write_made_layout(const Layout& layout, const CLI::App& program, std::string (*dump)(const Json&)) {
+  require_sound(layout, "the flags");
+  write_text("-", dump(layout_to_json({.layout = layout, .provenance = {provenance_record(program)}})));
+}
+
+void require_sound(const Layout& layout, const std::string& source, const std::string& remedy) {
+  const auto faults = check_layout(layout);
+  if (faults.empty()) return;
+  throw InputError("the layout made by " + source + " is invalid",
+                   faults.front().place + ": " + faults.front().message + remedy);
 }
 
 void warn_of_fixed_forces(const Layout& layout) {

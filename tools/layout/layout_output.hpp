@@ -23,6 +23,15 @@ void filter_layouts(const std::vector<std::string>& files, const CLI::App& progr
                     const std::function<void(const StreamMember& member, LayoutDocument layout,
                                              const std::function<void(LayoutDocument)>& emit)>& change);
 
+/// Writes a layout that flags describe, with this program in its provenance, in the form that `dump` gives
+/// it. Throws the error of require_sound().
+void write_made_layout(const Layout& layout, const CLI::App& program,
+                       std::string (*dump)(const Json&) = dump_json);
+
+/// Throws InputError with the first error that check_layout() finds in the layout. `source`: origin of the
+/// layout for the message, a plural such as "the flags". `remedy`: text at the end of the message.
+void require_sound(const Layout& layout, const std::string& source, const std::string& remedy = "");
+
 /// Prints warning_of_fixed_forces(), each text once.
 void warn_of_fixed_forces(const Layout& layout);
 
