@@ -1,5 +1,5 @@
 // Tests of the warning of forces that keep their directions in the box while their swimmers are turned.
-#include "beadswim/scene/force_directions.hpp"
+#include "beadswim/scene/check.hpp"
 
 #include <gtest/gtest.h>
 

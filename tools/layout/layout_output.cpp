@@ -6,7 +6,6 @@
 
 #include "beadswim/core/temporary_file.hpp"
 #include "beadswim/scene/check.hpp"
-#include "beadswim/scene/force_directions.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {

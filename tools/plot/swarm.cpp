@@ -5,7 +5,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
-#include "beadswim/scene/layers.hpp"
+#include "beadswim/scene/swarm.hpp"
 #include "beadswim/scene/swimmer_parameters.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"

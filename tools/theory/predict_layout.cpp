@@ -9,7 +9,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
-#include "beadswim/scene/force_directions.hpp"
+#include "beadswim/scene/check.hpp"
 #include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"

@@ -10,7 +10,7 @@
 #include "beadswim/compare/swimming.hpp"
 #include "beadswim/io/base64.hpp"
 #include "beadswim/io/json.hpp"
-#include "beadswim/scene/layers.hpp"
+#include "beadswim/scene/swarm.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 #include "quantised.hpp"

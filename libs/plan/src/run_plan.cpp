@@ -15,7 +15,7 @@
 #include "beadswim/plan/sufficient_box.hpp"
 #include "beadswim/run/percent.hpp"
 #include "beadswim/run/reason_against.hpp"
-#include "beadswim/scene/force_directions.hpp"
+#include "beadswim/scene/check.hpp"
 #include "planned_scene.hpp"
 
 namespace beadswim {

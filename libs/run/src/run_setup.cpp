@@ -9,7 +9,7 @@
 #include "beadswim/core/version.hpp"
 #include "beadswim/io/xdmf.hpp"
 #include "beadswim/run/checkpoints.hpp"
-#include "beadswim/scene/force_directions.hpp"
+#include "beadswim/scene/check.hpp"
 #include "models/lattice_model.hpp"
 #include "models/overdamped_model.hpp"
 #include "record/recorder.hpp"

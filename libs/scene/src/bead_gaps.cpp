@@ -54,23 +54,20 @@ std::vector<PlacedBead> placed_beads(const Layout& layout) {
   return beads;
 }
 
-double largest_radius(const std::vector<PlacedBead>& beads) {
-  double radius = 0;
-  for (const PlacedBead& bead : beads) radius = std::max(radius, bead.radius);
-  return radius;
-}
-
-CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double cutoff) {
+CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double max_gap) {
   std::vector<Vec3> centres;
-  centres.reserve(beads.size());
-  for (const PlacedBead& bead : beads) centres.push_back(bead.centre);
-  return CellList(centres, cutoff, domain ? domain->lengths : Vec3::Zero());
+  double radius = 0;
+  for (const PlacedBead& bead : beads) {
+    centres.push_back(bead.centre);
+    radius = std::max(radius, bead.radius);
+  }
+  return CellList(centres, 2 * radius + max_gap, domain ? domain->lengths : Vec3::Zero());
 }
 
-void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double cutoff,
+void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double max_gap,
                        const std::function<bool(const BeadPair&)>& visit) {
   if (beads.empty()) return;
-  const CellList cells = bead_cells(beads, domain, cutoff);
+  const CellList cells = bead_cells(beads, domain, max_gap);
   std::vector<std::size_t> near;
   for (std::size_t i = 0; i < beads.size(); ++i) {
     near.clear();
@@ -96,7 +93,7 @@ std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
   for (const BeadPair& pair : own_image_pairs(beads, domain)) {
     if (!keep_overlap(pair)) return found;
   }
-  visit_close_pairs(beads, domain, 2 * largest_radius(beads), keep_overlap);
+  visit_close_pairs(beads, domain, 0, keep_overlap);
   return found;
 }
 
@@ -109,8 +106,7 @@ double smallest_gap(const std::vector<PlacedBead>& beads, const Domain& domain) 
         .first = i, .second = i - 1, .distance = (beads[i].centre - beads[i - 1].centre).norm()};
     gap = std::min(gap, surface_gap(beads, pair));
   }
-  const double cutoff = 2 * largest_radius(beads) + gap;
-  visit_close_pairs(beads, domain.box, cutoff, [&](const BeadPair& pair) {
+  visit_close_pairs(beads, domain.box, gap, [&](const BeadPair& pair) {
     gap = std::min(gap, surface_gap(beads, pair));
     return true;
   });

@@ -23,7 +23,13 @@ namespace {
 constexpr double axis_tolerance = 1e-6;
 constexpr std::size_t max_overlaps = 1000;
 
-using Faults = std::vector<LayoutFault>;
+class Faults : public std::vector<LayoutFault> {
+ public:
+  template <class... Values>
+  void add(std::string place, fmt::format_string<Values...> message, Values&&... values) {
+    push_back({std::move(place), fmt::format(message, std::forward<Values>(values)...)});
+  }
+};
 
 std::string in_words(const Vec3& v) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]);
@@ -37,10 +43,9 @@ void check_unit(Quantity quantity, const Units::Unit& unit, const char* place, F
   const Units::Unit* known = find_known_unit(quantity, unit.name);
   constexpr double tolerance = 1e-9;
   if (!known || std::abs(unit.si_factor / known->si_factor - 1) < tolerance) return;
-  faults.push_back(
-      {fmt::format("{}/si_factor", place),
-       fmt::format("the factor {} is wrong: one {} is {} in SI units; give that factor or another unit name",
-                   unit.si_factor, unit.name, known->si_factor)});
+  faults.add(fmt::format("{}/si_factor", place),
+             "the factor {} is wrong: one {} is {} in SI units; give that factor or another unit name",
+             unit.si_factor, unit.name, known->si_factor);
 }
 
 void check_units(const Units& units, Faults& faults) {
@@ -51,32 +56,28 @@ void check_units(const Units& units, Faults& faults) {
 }
 
 void check_graph(const std::string& place, const SwimmerType& type, Faults& faults) {
-  const auto add = [&](const std::string& key, const std::string& message) {
-    faults.push_back({place + "/" + key, message});
-  };
   const auto check_beads = [&](const std::string& key, const auto& beads) {
     for (std::size_t n = 0; n < beads.size(); ++n) {
       if (beads[n] >= std::ssize(type.beads))
-        add(fmt::format("{}/beads/{}", key, n),
-            fmt::format("there is no bead {}; the type has {} beads, numbered from 1", beads[n] + 1,
-                        type.beads.size()));
+        faults.add(fmt::format("{}/beads/{}", key, n),
+                   "there is no bead {}; the type has {} beads, numbered from 1", beads[n] + 1,
+                   type.beads.size());
       if (std::ranges::count(beads, beads[n]) > 1)
-        add(key + "/beads", fmt::format("bead {} is named twice; name different beads", beads[n] + 1));
+        faults.add(key + "/beads", "bead {} is named twice; name different beads", beads[n] + 1);
     }
   };
   std::map<std::pair<int, int>, std::size_t> bond_between;
   for (std::size_t k = 0; k < type.bonds.size(); ++k) {
-    const std::string key = fmt::format("bonds/{}", k);
+    const auto& [first, second] = type.bonds[k].beads;
+    const std::string key = fmt::format("{}/bonds/{}", place, k);
     check_beads(key, type.bonds[k].beads);
-    const auto [entry, is_new] =
-        bond_between.try_emplace(std::minmax({type.bonds[k].beads[0], type.bonds[k].beads[1]}), k);
+    const auto [entry, is_new] = bond_between.try_emplace(std::minmax({first, second}), k);
     if (!is_new)
-      add(key + "/beads",
-          fmt::format("beads {} and {} are already joined by bond {}; give each pair one bond",
-                      type.bonds[k].beads[0] + 1, type.bonds[k].beads[1] + 1, entry->second + 1));
+      faults.add(key + "/beads", "beads {} and {} are already joined by bond {}; give each pair one bond",
+                 first + 1, second + 1, entry->second + 1);
   }
   for (std::size_t k = 0; k < type.angles.size(); ++k)
-    check_beads(fmt::format("angles/{}", k), type.angles[k].beads);
+    check_beads(fmt::format("{}/angles/{}", place, k), type.angles[k].beads);
 }
 
 /// Reports beads that no chain of bonds joins to bead 1.
@@ -98,11 +99,8 @@ void check_connections(const std::string& place, const SwimmerType& type, Faults
   }
   for (std::size_t b = 0; b < reached.size(); ++b) {
     if (reached[b]) continue;
-    faults.push_back(
-        {fmt::format("{}/beads/{}", place, b),
-         fmt::format("no chain of bonds joins bead {} to bead 1; join the pieces, or make a type "
-                     "of each",
-                     b + 1)});
+    faults.add(fmt::format("{}/beads/{}", place, b),
+               "no chain of bonds joins bead {} to bead 1; join the pieces, or make a type of each", b + 1);
     return;
   }
 }
@@ -112,11 +110,10 @@ void check_beads_at_rest(const std::string& place, const SwimmerType& type, Faul
     for (int j = i + 1; j < std::ssize(type.beads); ++j) {
       const double distance = distance_at_rest(type, i, j), contact = contact_distance(type, i, j);
       if (distance > contact) continue;
-      faults.push_back(
-          {fmt::format("{}/beads/{}/at", place, j),
-           fmt::format("beads {} and {} overlap at rest: their centres are {:.6g} apart, but must "
-                       "be more than {} apart, the sum of their radii",
-                       i + 1, j + 1, distance, contact)});
+      faults.add(fmt::format("{}/beads/{}/at", place, j),
+                 "beads {} and {} overlap at rest: their centres are {:.6g} apart, but must "
+                 "be more than {} apart, the sum of their radii",
+                 i + 1, j + 1, distance, contact);
     }
   }
 }
@@ -126,20 +123,19 @@ void check_bond_lengths(const std::string& place, const SwimmerType& type, Fault
     const auto [i, j] = type.bonds[k].beads;
     const double length = type.bonds[k].rest_length, contact = contact_distance(type, i, j);
     if (length > contact) continue;
-    faults.push_back({fmt::format("{}/{}/rest_length", place, k),
-                      fmt::format("with the rest length {}, beads {} and {} overlap; the rest length must "
-                                  "be greater than {}, the sum of their radii",
-                                  length, i + 1, j + 1, contact)});
+    faults.add(fmt::format("{}/{}/rest_length", place, k),
+               "with the rest length {}, beads {} and {} overlap; the rest length must "
+               "be greater than {}, the sum of their radii",
+               length, i + 1, j + 1, contact);
   }
   for (std::size_t k = 0; k < type.bonds.size(); ++k) {
     const auto [i, j] = type.bonds[k].beads;
     const double distance = distance_at_rest(type, i, j), length = type.bonds[k].rest_length;
     if (distance <= max_stretch * length) continue;
-    faults.push_back(
-        {fmt::format("{}/{}/rest_length", place, k),
-         fmt::format("beads {} and {} are {:.6g} apart at rest, more than twice the rest length {}; "
-                     "give the bond a rest length near this distance",
-                     i + 1, j + 1, distance, length)});
+    faults.add(fmt::format("{}/{}/rest_length", place, k),
+               "beads {} and {} are {:.6g} apart at rest, more than twice the rest length {}; "
+               "give the bond a rest length near this distance",
+               i + 1, j + 1, distance, length);
   }
 }
 
@@ -161,11 +157,10 @@ void check_angles(const std::string& place, const SwimmerType& type, Faults& fau
     const auto drive = std::ranges::find(type.driving.angles, static_cast<int>(k), &AngleDrive::angle);
     const bool is_driven = drive != type.driving.angles.end();
     if (std::sin(theta) > smallest_sine || (!is_driven && type.angles[k].rest == theta)) continue;
-    faults.push_back({is_driven
-                          ? fmt::format("{}/driving/angles/{}", place, drive - type.driving.angles.begin())
-                          : fmt::format("{}/angles/{}/rest", place, k),
-                      "the three beads are in line at rest, so that the force of another rest angle has no "
-                      "direction; place the beads of this angle off a line"});
+    faults.add(is_driven ? fmt::format("{}/driving/angles/{}", place, drive - type.driving.angles.begin())
+                         : fmt::format("{}/angles/{}/rest", place, k),
+               "the three beads are in line at rest, so that the force of another rest angle has no "
+               "direction; place the beads of this angle off a line");
   }
   for (std::size_t n = 0; n < type.driving.angles.size(); ++n) {
     const int k = type.driving.angles[n].angle;
@@ -173,11 +168,10 @@ void check_angles(const std::string& place, const SwimmerType& type, Faults& fau
     const double change =
         largest_change(type.driving.angles, [k](const AngleDrive& drive) { return drive.angle == k; });
     if (rest - change > 0 && rest + change < std::numbers::pi) continue;
-    faults.push_back(
-        {fmt::format("{}/driving/angles/{}", place, n),
-         fmt::format("the rest angle {:.6g} changes by up to {:.6g}, but must stay between 0 and pi; "
-                     "lower the amplitudes",
-                     rest, change)});
+    faults.add(fmt::format("{}/driving/angles/{}", place, n),
+               "the rest angle {:.6g} changes by up to {:.6g}, but must stay between 0 and pi; "
+               "lower the amplitudes",
+               rest, change);
   }
 }
 
@@ -187,18 +181,17 @@ void check_driving(const std::string& place, const SwimmerType& type, Faults& fa
   const Driving& driving = type.driving;
   const auto check_number = [&](const std::string& key, int number, std::size_t count, const char* what) {
     if (number < static_cast<int>(count)) return;
-    faults.push_back({fmt::format("{}/{}", place, key),
-                      fmt::format("there is no {} {}; the type has {} {}s, numbered from 1", what, number + 1,
-                                  count, what)});
+    faults.add(fmt::format("{}/{}", place, key), "there is no {} {}; the type has {} {}s, numbered from 1",
+               what, number + 1, count, what);
   };
   for (std::size_t n = 0; n < driving.forces.size(); ++n) {
     const ForceDrive& drive = driving.forces[n];
     check_number(fmt::format("forces/{}/bead", n), drive.bead, type.beads.size(), "bead");
     const double length = drive.direction.norm();
     if (std::abs(length - 1) > axis_tolerance)
-      faults.push_back({fmt::format("{}/forces/{}/direction", place, n),
-                        fmt::format("the direction {} has the length {:.9g}; give a vector other than zero",
-                                    in_words(drive.direction), length)});
+      faults.add(fmt::format("{}/forces/{}/direction", place, n),
+                 "the direction {} has the length {:.9g}; give a vector other than zero",
+                 in_words(drive.direction), length);
   }
   for (std::size_t n = 0; n < driving.bonds.size(); ++n)
     check_number(fmt::format("bonds/{}/bond", n), driving.bonds[n].bond, type.bonds.size(), "bond");
@@ -214,20 +207,18 @@ void check_driving(const std::string& place, const SwimmerType& type, Faults& fa
         });
     const double contact = contact_distance(type, i, j);
     if (shortest > contact) continue;
-    faults.push_back(
-        {fmt::format("{}/bonds/{}/rest_length", place, n),
-         fmt::format("the rest length falls to {:.6g}, where beads {} and {} overlap; it must stay "
-                     "greater than {}, the sum of their radii; lower the amplitudes",
-                     shortest, i + 1, j + 1, contact)});
+    faults.add(fmt::format("{}/bonds/{}/rest_length", place, n),
+               "the rest length falls to {:.6g}, where beads {} and {} overlap; it must stay "
+               "greater than {}, the sum of their radii; lower the amplitudes",
+               shortest, i + 1, j + 1, contact);
   }
   if (driving.net_force == NetForce::allowed) return;
   for (const auto& [multiple, size] : net_forces(driving)) {
-    faults.push_back(
-        {place + "/forces",
-         fmt::format("the {} do not sum to zero; the sum has the size {:.6g}: give the other beads "
-                     "the opposite force, or set \"net_force\": \"allowed\" to tow the swimmer",
-                     multiple == 0 ? "constant forces" : fmt::format("forces with the multiple {}", multiple),
-                     size)});
+    faults.add(place + "/forces",
+               "the {} do not sum to zero; the sum has the size {:.6g}: give the other beads "
+               "the opposite force, or set \"net_force\": \"allowed\" to tow the swimmer",
+               multiple == 0 ? "constant forces" : fmt::format("forces with the multiple {}", multiple),
+               size);
   }
 }
 
@@ -266,9 +257,8 @@ void check_type_names(const Layout& layout, Faults& faults) {
   for (std::size_t i = 0; i < layout.swimmers.size(); ++i) {
     const std::string& type = layout.swimmers[i].type;
     if (layout.types.count(type) > 0) continue;
-    faults.push_back(
-        {swimmer_place(i, "type"), fmt::format("the swimmer type \"{}\" is not defined under /types{}", type,
-                                               format_suggestion(type, names))});
+    faults.add(swimmer_place(i, "type"), "the swimmer type \"{}\" is not defined under /types{}", type,
+               format_suggestion(type, names));
   }
 }
 
@@ -277,9 +267,9 @@ void check_ids(const std::vector<Swimmer>& swimmers, Faults& faults) {
   for (std::size_t i = 0; i < swimmers.size(); ++i) {
     const auto [entry, is_new] = first_with.try_emplace(swimmers[i].id, i);
     if (is_new) continue;
-    faults.push_back({swimmer_place(i, "id"),
-                      fmt::format("the id {} is already used by /swimmers/{}; give each swimmer another id",
-                                  swimmers[i].id, entry->second)});
+    faults.add(swimmer_place(i, "id"),
+               "the id {} is already used by /swimmers/{}; give each swimmer another id", swimmers[i].id,
+               entry->second);
   }
 }
 
@@ -288,17 +278,16 @@ void check_axes(const std::vector<Swimmer>& swimmers, Faults& faults) {
     if (swimmers[i].turn) {
       const double size = swimmers[i].turn->norm();
       if (std::abs(size - 1) > axis_tolerance)
-        faults.push_back({swimmer_place(i, "orientation"),
-                          fmt::format("the quaternion has the norm {:.9g}, but must have the norm 1", size)});
+        faults.add(swimmer_place(i, "orientation"),
+                   "the quaternion has the norm {:.9g}, but must have the norm 1", size);
       continue;
     }
     const double length = swimmers[i].axis.norm();
     if (std::abs(length - 1) <= axis_tolerance) continue;
     const std::string remedy =
         length > 0 ? "; divided by its length it is " + in_words(swimmers[i].axis / length) : "";
-    faults.push_back({swimmer_place(i, "axis"),
-                      fmt::format("the axis {} has the length {:.9g}, but must be a unit vector{}",
-                                  in_words(swimmers[i].axis), length, remedy)});
+    faults.add(swimmer_place(i, "axis"), "the axis {} has the length {:.9g}, but must be a unit vector{}",
+               in_words(swimmers[i].axis), length, remedy);
   }
 }
 
@@ -309,11 +298,10 @@ void check_positions(const Layout& layout, Faults& faults) {
     if ((x.array() >= 0).all() && (x.array() <= box.array()).all()) continue;
     const auto type = layout.types.find(layout.swimmers[i].type);
     const bool is_three_beads = type == layout.types.end() || three_bead_form(type->second);
-    faults.push_back({swimmer_place(i, "position"),
-                      fmt::format("the position {} of {} lies outside the box; each coordinate must be "
-                                  "between 0 and the box length, {}",
-                                  in_words(x), is_three_beads ? "bead 2" : "the origin of the type's frame",
-                                  in_words(box))});
+    faults.add(swimmer_place(i, "position"),
+               "the position {} of {} lies outside the box; each coordinate must be "
+               "between 0 and the box length, {}",
+               in_words(x), is_three_beads ? "bead 2" : "the origin of the type's frame", in_words(box));
   }
 }
 
@@ -323,16 +311,16 @@ void check_wall_velocities(const Box& domain, Faults& faults) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto check = [&](const Vec3& velocity, const char* key) {
       if (velocity[axis] != 0)
-        faults.push_back({fmt::format("/domain/boundary/{}/no-slip/{}", axis, key),
-                          fmt::format("the velocity {} has a component across the wall, along {}; walls move "
-                                      "along themselves: set this component to 0",
-                                      in_words(velocity), "xyz"[axis])});
+        faults.add(fmt::format("/domain/boundary/{}/no-slip/{}", axis, key),
+                   "the velocity {} has a component across the wall, along {}; walls move "
+                   "along themselves: set this component to 0",
+                   in_words(velocity), "xyz"[axis]);
       for (int along = 0; along < 3; ++along) {
         if (along == axis || velocity[along] == 0 || domain.boundary[along] != Boundary::no_slip) continue;
-        faults.push_back({fmt::format("/domain/boundary/{}/no-slip/{}/{}", axis, key, along),
-                          fmt::format("the wall cannot move along {}, because no-slip walls close this axis; "
-                                      "set this component to 0",
-                                      "xyz"[along])});
+        faults.add(fmt::format("/domain/boundary/{}/no-slip/{}/{}", axis, key, along),
+                   "the wall cannot move along {}, because no-slip walls close this axis; "
+                   "set this component to 0",
+                   "xyz"[along]);
       }
     };
     check(domain.walls[axis].lower, "lower_velocity");
@@ -344,17 +332,16 @@ void check_wall_velocities(const Box& domain, Faults& faults) {
 void check_body_force(const Layout& layout, Faults& faults) {
   if (layout.body_force.isZero(0)) return;
   if (!layout.domain.box || std::ranges::count(layout.domain.box->boundary, Boundary::no_slip) == 0) {
-    faults.push_back({"/body_force",
-                      "there are no no-slip walls, so that the body force would accelerate the fluid without "
-                      "end; give an axis the boundary no-slip, or remove the key"});
+    faults.add("/body_force",
+               "there are no no-slip walls, so that the body force would accelerate the fluid without "
+               "end; give an axis the boundary no-slip, or remove the key");
     return;
   }
   for (int axis = 0; axis < 3; ++axis) {
     if (layout.body_force[axis] == 0 || layout.domain.box->is_periodic(axis)) continue;
-    faults.push_back({fmt::format("/body_force/{}", axis),
-                      fmt::format("the fluid cannot flow along {}, because walls close this axis; set this "
-                                  "component to 0",
-                                  "xyz"[axis])});
+    faults.add(fmt::format("/body_force/{}", axis),
+               "the fluid cannot flow along {}, because walls close this axis; set this component to 0",
+               "xyz"[axis]);
   }
 }
 
@@ -364,29 +351,26 @@ void check_flow(const Layout& layout, Faults& faults) {
   const Eigen::Matrix3d& gradient = layout.flow.velocity_gradient;
   constexpr double roundoff = 1e-12;
   if (std::abs(gradient.trace()) > roundoff * gradient.cwiseAbs().maxCoeff())
-    faults.push_back(
-        {"/flow/velocity_gradient",
-         fmt::format("the trace is {:.6g}, but an incompressible flow has the trace 0; change an "
-                     "element of the diagonal",
-                     gradient.trace())});
+    faults.add("/flow/velocity_gradient",
+               "the trace is {:.6g}, but an incompressible flow has the trace 0; change an "
+               "element of the diagonal",
+               gradient.trace());
   if (layout.domain.box)
-    faults.push_back(
-        {"/flow",
-         "a background flow is unbounded, but the domain is a box; set the domain to null or to a "
-         "half-space, or replace the flow by no-slip walls that move or a body force"});
+    faults.add("/flow",
+               "a background flow is unbounded, but the domain is a box; set the domain to null or to a "
+               "half-space, or replace the flow by no-slip walls that move or a body force");
   if (!layout.domain.half_space) return;
   const int across = layout.domain.half_space->axis;
   if (!layout.flow.velocity.isZero(0))
-    faults.push_back({"/flow/velocity",
-                      fmt::format("the flow must be 0 on the no-slip wall at {} = 0; set this velocity to 0",
-                                  "xyz"[across])});
+    faults.add("/flow/velocity", "the flow must be 0 on the no-slip wall at {} = 0; set this velocity to 0",
+               "xyz"[across]);
   for (int c = 0; c < 3; ++c) {
     for (int by = 0; by < 3; ++by) {
       if (gradient(c, by) == 0 || (by == across && c != across)) continue;
-      faults.push_back({fmt::format("/flow/velocity_gradient/{}/{}", c, by),
-                        fmt::format("over a no-slip wall at {0} = 0 only shear along the wall is possible, a "
-                                    "velocity along {1} or {2} that changes along {0}; set this element to 0",
-                                    "xyz"[across], "xyz"[across == 0 ? 1 : 0], "xyz"[across == 2 ? 1 : 2])});
+      faults.add(fmt::format("/flow/velocity_gradient/{}/{}", c, by),
+                 "over a no-slip wall at {0} = 0 only shear along the wall is possible, a "
+                 "velocity along {1} or {2} that changes along {0}; set this element to 0",
+                 "xyz"[across], "xyz"[across == 0 ? 1 : 0], "xyz"[across == 2 ? 1 : 2]);
     }
   }
 }
@@ -396,28 +380,24 @@ void check_heights(const HalfSpace& half_space, const std::vector<PlacedBead>& b
   for (const PlacedBead& bead : beads) {
     const double height = half_space.height(bead.centre);
     if (height > bead.radius) continue;
-    faults.push_back(
-        {swimmer_place(bead.swimmer, "position"),
-         fmt::format("bead {} of radius {} at {} is not completely in the fluid: its centre is {:.6g} above "
-                     "the wall at {} = 0, but must be more than its radius above; move the swimmer",
-                     bead.bead + 1, bead.radius, in_words(bead.centre), height, "xyz"[half_space.axis])});
+    faults.add(swimmer_place(bead.swimmer, "position"),
+               "bead {} of radius {} at {} is not completely in the fluid: its centre is {:.6g} above "
+               "the wall at {} = 0, but must be more than its radius above; move the swimmer",
+               bead.bead + 1, bead.radius, in_words(bead.centre), height, "xyz"[half_space.axis]);
   }
 }
 
 void check_walls(const Box& domain, const std::vector<PlacedBead>& beads, Faults& faults) {
-  constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
   for (const PlacedBead& bead : beads) {
     for (int axis = 0; axis < 3; ++axis) {
       if (domain.is_periodic(axis)) continue;
       const double lowest = bead.radius;
       const double highest = domain.lengths[axis] - bead.radius;
       if (bead.centre[axis] > lowest && bead.centre[axis] < highest) continue;
-      faults.push_back(
-          {swimmer_place(bead.swimmer, "position"),
-           fmt::format("bead {} of radius {} at {} is not completely between the walls along {}: its centre "
-                       "must be between {} and {}; move the swimmer or enlarge the box",
-                       bead.bead + 1, bead.radius, in_words(bead.centre), axis_names[axis], lowest,
-                       highest)});
+      faults.add(swimmer_place(bead.swimmer, "position"),
+                 "bead {} of radius {} at {} is not completely between the walls along {}: its centre "
+                 "must be between {} and {}; move the swimmer or enlarge the box",
+                 bead.bead + 1, bead.radius, in_words(bead.centre), "xyz"[axis], lowest, highest);
     }
   }
 }
@@ -435,14 +415,13 @@ void check_overlaps(const Layout& layout, const std::vector<PlacedBead>& beads, 
         (first.centre - second.centre).norm() > pair.distance * (1 + 1e-9) || &first == &second;
     const std::string other = &first == &second ? "its own periodic image" : bead_in_words(second, layout);
     const bool is_by_drives = first.swimmer == second.swimmer && !through_boundary;
-    faults.push_back(
-        {swimmer_place(first.swimmer, "position"),
-         fmt::format("{} overlaps {}{}: their centres are {:.6g} apart, but must be more than {:.6g} apart",
-                     bead_in_words(first, layout), other,
-                     through_boundary ? " through the periodic boundary"
-                     : is_by_drives   ? " on the shape that its drives prescribe at time 0"
-                                      : "",
-                     pair.distance, first.radius + second.radius)});
+    faults.add(swimmer_place(first.swimmer, "position"),
+               "{} overlaps {}{}: their centres are {:.6g} apart, but must be more than {:.6g} apart",
+               bead_in_words(first, layout), other,
+               through_boundary ? " through the periodic boundary"
+               : is_by_drives   ? " on the shape that its drives prescribe at time 0"
+                                : "",
+               pair.distance, first.radius + second.radius);
   }
 }
 

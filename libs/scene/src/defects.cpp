@@ -7,13 +7,14 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <string>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/keyed_random.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
-#include "beadswim/swimmers/relaxed_shape.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 namespace {
@@ -66,10 +67,6 @@ double min_clearance(const Layout& layout) {
   return 0.1 * smallest_radius(layout);
 }
 
-Driving own_driving(const Layout& layout, const Swimmer& swimmer) {
-  return layout.resolved_type(swimmer).driving;
-}
-
 double positive_factor(const Swimmer& swimmer, double factor, const char* what) {
   if (factor > 0) return factor;
   throw InputError(Setting::sigma, fmt::format("the random factor of the {} of swimmer {} is {:.3g}, but "
@@ -102,11 +99,11 @@ void scale_amplitudes(Driving& driving, double factor) {
   for (ForceDrive& drive : driving.forces) drive.constant *= factor;
 }
 
-/// Turns a swimmer with a turn of its own by the shortest turn of its axis `before` onto its present axis.
-void turn_with_axis(Swimmer& swimmer, const Vec3& before) {
-  if (!swimmer.turn) return;
-  const auto change = Eigen::Quaterniond::FromTwoVectors(before, swimmer.axis);
-  swimmer.turn = (change * *swimmer.turn).normalized();
+/// Gives the swimmer an axis. A swimmer with a turn of its own is turned by the shortest turn onto this axis.
+void set_axis(Swimmer& swimmer, const Vec3& axis) {
+  if (swimmer.turn)
+    swimmer.turn = (Eigen::Quaterniond::FromTwoVectors(swimmer.axis, axis) * *swimmer.turn).normalized();
+  swimmer.axis = axis;
 }
 
 /// Calls change(swimmer, driving, random) for each chosen swimmer, and stores the changed `driving` as the
@@ -117,7 +114,7 @@ void change_driving(Layout& layout, const std::vector<std::size_t>& chosen, std:
                     const std::function<void(const Swimmer&, Driving&, KeyedRandom&)>& change) {
   for (const std::size_t s : chosen) {
     Swimmer& swimmer = layout.swimmers[s];
-    Driving driving = own_driving(layout, swimmer);
+    Driving driving = layout.driving_of(swimmer);
     KeyedRandom random = swimmer_random(swimmer, seed, purpose);
     change(swimmer, driving, random);
     swimmer.driving = driving;
@@ -134,22 +131,19 @@ std::vector<std::size_t> draw_swimmer_indices(const Layout& layout, const ShareO
 }
 
 void add_vacancies(Layout& layout, const ShareOrCount& share_or_count, std::uint64_t seed) {
-  std::vector<Swimmer> left;
   const std::vector<std::size_t> gone = draw_swimmer_indices(layout, share_or_count, seed);
   if (gone.size() == layout.swimmers.size())
     throw InputError("vacancy", fmt::format("the defect would remove all swimmers; reduce {} or {}",
                                             Setting::count, Setting::fraction));
-  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
-    if (!std::ranges::binary_search(gone, s)) left.push_back(layout.swimmers[s]);
-  }
-  layout.swimmers = std::move(left);
+  std::size_t s = 0;
+  std::erase_if(layout.swimmers, [&](const Swimmer&) { return std::ranges::binary_search(gone, s++); });
 }
 
 void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::uint64_t seed) {
   const Box domain = required_box(layout, "an interstitial");
   std::vector<PlacedBead> beads = placed_beads(layout);
-  const double clearance = min_clearance(layout), cutoff = 2 * largest_radius(beads) + clearance;
-  CellList cells = bead_cells(beads, layout.domain.box, cutoff);
+  const double clearance = min_clearance(layout);
+  CellList cells = bead_cells(beads, layout.domain.box, clearance);
   std::size_t sorted = beads.size();  // number of beads in `cells`; beads added later are tested one by one
 
   const auto is_free = [&](const Vec3& centre, double radius) {
@@ -182,22 +176,16 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
   for (std::size_t n = 0; n < count; ++n) {
     ++added.id;
     KeyedRandom random = swimmer_random(added, seed, Purpose::place);
-    bool found = false;
-    for (int trial = 0; trial < max_trials && !found; ++trial) {
+    std::vector<Vec3> centres;
+    int trials = 0;
+    do {
+      if (trials++ == max_trials)
+        throw InputError("interstitial", fmt::format("no free place for swimmer {} was found in {} trials; "
+                                                     "the box is too full: add fewer swimmers",
+                                                     added.id, max_trials));
       for (int a = 0; a < 3; ++a) added.position[a] = domain.lengths[a] * random.uniform();
-      const auto centres = rest_positions(type, added.position, added.orientation());
-      found = true;
-      for (std::size_t b = 0; b < centres.size() && found; ++b)
-        found = is_free(centres[b], type.beads[b].radius);
-    }
-    if (!found) {
-      throw InputError(
-          "interstitial",
-          fmt::format(
-              "no free place for swimmer {} was found in {} trials; the box is too full: add fewer swimmers",
-              added.id, max_trials));
-    }
-    const auto centres = rest_positions(type, added.position, added.orientation());
+      centres = rest_positions(type, added.position, added.orientation());
+    } while (!std::ranges::equal(centres, type.beads, is_free, {}, &Bead::radius));
     for (int b = 0; b < std::ssize(centres); ++b)
       beads.push_back({.centre = centres[b],
                        .radius = type.beads[b].radius,
@@ -206,7 +194,7 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
     layout.swimmers.push_back(added);
     constexpr std::size_t max_unsorted = 100;
     if (beads.size() - sorted > max_unsorted) {
-      cells = bead_cells(beads, layout.domain.box, cutoff);
+      cells = bead_cells(beads, layout.domain.box, clearance);
       sorted = beads.size();
     }
   }
@@ -225,16 +213,14 @@ void rotate(Layout& layout, const std::vector<std::size_t>& chosen, std::optiona
   for (const std::size_t s : chosen) {
     Swimmer& swimmer = layout.swimmers[s];
     KeyedRandom random = swimmer_random(swimmer, seed, Purpose::turn);
-    const Vec3 before = swimmer.axis;
     if (!sigma) {
-      swimmer.axis = random.direction();
-    } else {
-      Vec3 across = random.direction().cross(swimmer.axis);
-      while (across.norm() < 1e-3) across = random.direction().cross(swimmer.axis);
-      const double angle = *sigma * random.normal();
-      swimmer.axis = (std::cos(angle) * swimmer.axis + std::sin(angle) * across.normalized()).normalized();
+      set_axis(swimmer, random.direction());
+      continue;
     }
-    turn_with_axis(swimmer, before);
+    Vec3 across = random.direction().cross(swimmer.axis);
+    while (across.norm() < 1e-3) across = random.direction().cross(swimmer.axis);
+    const double angle = *sigma * random.normal();
+    set_axis(swimmer, (std::cos(angle) * swimmer.axis + std::sin(angle) * across.normalized()).normalized());
   }
 }
 
@@ -248,16 +234,11 @@ void add_domains(Layout& layout, std::int64_t domains, std::uint64_t seed) {
     directions.push_back(random.direction());
   }
   for (Swimmer& swimmer : layout.swimmers) {
-    std::size_t nearest = 0;
-    double nearest_distance = std::numeric_limits<double>::infinity();
-    for (std::size_t d = 0; d < points.size(); ++d) {
-      const double distance = nearest_separation(swimmer.position, points[d], layout.domain.box).norm();
-      if (distance < nearest_distance) nearest = d;
-      nearest_distance = std::min(nearest_distance, distance);
-    }
-    const Vec3 before = swimmer.axis;
-    swimmer.axis = directions[nearest];
-    turn_with_axis(swimmer, before);
+    const auto distance = [&](const Vec3& point) {
+      return nearest_separation(swimmer.position, point, layout.domain.box).norm();
+    };
+    const auto nearest = std::ranges::min_element(points, {}, distance) - points.begin();
+    set_axis(swimmer, directions[nearest]);
   }
 }
 
@@ -294,7 +275,7 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
   const bool periodic = layout.domain.box && layout.domain.box->is_periodic(axis);
   for (Swimmer& swimmer : layout.swimmers) swimmer.position = wrapped(swimmer.position, layout.domain.box);
   std::vector<std::size_t> order(layout.swimmers.size());
-  for (std::size_t s = 0; s < order.size(); ++s) order[s] = s;
+  std::iota(order.begin(), order.end(), 0);
   const auto height = [&](std::size_t s) -> double& { return layout.swimmers[s].position[axis]; };
   std::ranges::sort(order, {}, [&](std::size_t s) { return height(s); });
   const double same = 1e-6 * smallest_radius(layout);
@@ -353,8 +334,7 @@ void repair_overlaps(Layout& layout) {
     const std::vector<PlacedBead> beads = placed_beads(layout);
     std::vector<Push> pushes(layout.swimmers.size());
     bool any = false;
-    const double cutoff = 2 * largest_radius(beads) + clearance;
-    visit_close_pairs(beads, layout.domain.box, cutoff, [&](const BeadPair& pair) {
+    visit_close_pairs(beads, layout.domain.box, clearance, [&](const BeadPair& pair) {
       const PlacedBead &one = beads[pair.first], &other = beads[pair.second];
       const double missing_gap = one.radius + other.radius + clearance - pair.distance;
       if (one.swimmer == other.swimmer || missing_gap <= tolerance) return true;

@@ -1,4 +1,4 @@
-#include "beadswim/scene/force_directions.hpp"
+#include "beadswim/scene/check.hpp"
 
 #include <fmt/core.h>
 

@@ -40,6 +40,18 @@ SwimmerType beads_at(const std::vector<Vec3>& places, const GallerySwimmer& swim
   return type;
 }
 
+/// Returns the stiffness of a stiff bond [mass/time^2].
+double stiff_bond(const GallerySwimmer& swimmer, const Fluid& fluid) {
+  constexpr double ratio = 1000;
+  const double drag = 6 * pi * fluid.dynamic_viscosity() * largest_radius(swimmer);
+  return ratio * drag * angular_frequency(swimmer);
+}
+
+/// Returns the angular stiffness of chains of the length that stay straight [energy].
+double stiff_angle(const GallerySwimmer& swimmer, double length, const Fluid& fluid) {
+  return stiff_bond(swimmer, fluid) * length * length;
+}
+
 void add_bond(SwimmerType& type, int i, int j, double arm, const BondedSwimmer& swimmer, const Fluid& fluid) {
   const double stiffness = swimmer.stiffness.value_or(stiff_bond(swimmer, fluid));
   type.bonds.push_back({{stiffness, arm, swimmer.damping}, {i, j}});
@@ -80,16 +92,6 @@ double force_of_a_radius(const GallerySwimmer& swimmer, double radius, const Flu
 }
 
 }  // namespace
-
-double stiff_bond(const GallerySwimmer& swimmer, const Fluid& fluid) {
-  constexpr double ratio = 1000;
-  const double drag = 6 * pi * fluid.dynamic_viscosity() * largest_radius(swimmer);
-  return ratio * drag * angular_frequency(swimmer);
-}
-
-double stiff_angle(const GallerySwimmer& swimmer, double length, const Fluid& fluid) {
-  return stiff_bond(swimmer, fluid) * length * length;
-}
 
 double sperm_number(const Flagellum& flagellum, double angular_stiffness, const Fluid& fluid) {
   const double length = length_of(flagellum);

@@ -49,17 +49,6 @@ double smallest_radius(const Layout& layout) {
   return smallest;
 }
 
-namespace {
-
-int largest_multiple(const Driving& driving) {
-  int largest = 1;
-  for_each_harmonic(driving,
-                    [&](const Harmonic& harmonic) { largest = std::max(largest, harmonic.multiple); });
-  return largest;
-}
-
-}  // namespace
-
 double base_period(const Layout& layout) {
   const auto own = [&](const Swimmer& swimmer) { return layout.driving_of(swimmer).period; };
   const double first = own(layout.swimmers.front());
@@ -71,7 +60,10 @@ double shortest_period(const Layout& layout) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const Swimmer& swimmer : layout.swimmers) {
     const Driving& driving = layout.driving_of(swimmer);
-    shortest = std::min(shortest, driving.period / largest_multiple(driving));
+    shortest = std::min(shortest, driving.period);
+    for_each_harmonic(driving, [&](const Harmonic& harmonic) {
+      shortest = std::min(shortest, driving.period / harmonic.multiple);
+    });
   }
   return shortest;
 }

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "beadswim/swimmers/relaxed_shape.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 

@@ -204,12 +204,6 @@ std::optional<SceneDifference> placing_difference(const Layout& run, const Layou
   return std::nullopt;
 }
 
-/// Adds properties that only one scene has to the other one, without value.
-void complete(SceneProperties& run, SceneProperties& reference) {
-  for (const auto& [property, value] : run) reference.try_emplace(property);
-  for (const auto& [property, value] : reference) run.try_emplace(property);
-}
-
 /// Returns the properties of a swimmer of a layout except its placing.
 SceneProperties swimmer_properties(const Layout& layout, const Swimmer& swimmer) {
   SceneProperties properties = swimmer_properties(layout.resolved_type(swimmer));
@@ -296,7 +290,8 @@ void add_differences(std::vector<SceneDifference>& differences, const ScenePrope
 std::vector<SceneDifference> scene_differences(const Layout& run, const Layout& reference) {
   std::vector<SceneDifference> differences;
   const auto add = [&](SceneProperties one, SceneProperties other, const std::string& prefix) {
-    complete(one, other);
+    for (const auto& [property, value] : one) other.try_emplace(property);  // without value
+    for (const auto& [property, value] : other) one.try_emplace(property);
     add_differences(differences, one, other, prefix);
   };
   add(common_properties(run), common_properties(reference), "");

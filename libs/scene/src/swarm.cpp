@@ -1,5 +1,7 @@
 #include "beadswim/scene/swarm.hpp"
 
+#include <algorithm>
+
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
@@ -51,6 +53,38 @@ std::vector<Swimmer> swarm_swimmers(const SwarmPlan& plan, const SwimmerType& ty
     });
   });
   return swimmers;
+}
+
+std::vector<Layer> swimmer_layers(const Layout& layout) {
+  std::vector<Layer> layers(layout.swimmers.size());
+  const double thickness = smallest_radius(layout);
+  for (int a = 0; a < 3; ++a) {
+    std::vector<double> sorted, starts;  // coordinates; those at which a layer begins
+    for (const Swimmer& swimmer : layout.swimmers) sorted.push_back(swimmer.position[a]);
+    std::ranges::sort(sorted);
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+      if (i == 0 || sorted[i] - sorted[i - 1] > thickness) starts.push_back(sorted[i]);
+    for (std::size_t s = 0; s < layers.size(); ++s) {
+      const auto next = std::ranges::upper_bound(starts, layout.swimmers[s].position[a]);
+      layers[s][a] = static_cast<int>(next - starts.begin()) - 1;
+    }
+  }
+  return layers;
+}
+
+Layer layer_count(std::span<const Layer> layers) {
+  Layer count{};
+  for (const Layer& layer : layers) {
+    for (int a = 0; a < 3; ++a) count[a] = std::max(count[a], layer[a] + 1);
+  }
+  return count;
+}
+
+int block_number(int id, const Layer& layer, std::span<const int> block_swimmers) {
+  if (block_swimmers.size() == 1) return id / block_swimmers[0];
+  int sum = 0;
+  for (int a = 0; a < 3; ++a) sum += layer[a] / block_swimmers[a];
+  return sum % 2;
 }
 
 }  // namespace beadswim

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
@@ -28,20 +29,11 @@ std::string values(const auto& parts, auto number) {
   return fmt::format("{:.4g} to {:.4g}", least, most);
 }
 
-std::string direction(DrivingFrame frame) {
-  switch (frame) {
-    case DrivingFrame::lab:
-      return "along x";
-    case DrivingFrame::initial_axis:
-      return "along the initial axis";
-    case DrivingFrame::body:
-      return "along the arms";
-  }
-  return "";
-}
+/// Directions of the driving forces, in the order of DrivingFrame.
+constexpr std::array directions{"along x", "along the initial axis", "along the arms"};
 
-}  // namespace
-
+/// Returns the parameters of beads and springs: "λ = 6, bead density 1, l = 32, k = 0.2, KA = 2048". Non-zero
+/// damping is included. Values that differ between beads or arms are separated by commas.
 std::string body_parameters(const SwimmerType& type) {
   std::string text = fmt::format("λ = {}, bead density {}", values(type.beads, &Bead::radius),
                                  values(type.beads, &Bead::density));
@@ -54,6 +46,8 @@ std::string body_parameters(const SwimmerType& type) {
   if (!type.angles.empty()) text += fmt::format(", KA = {}", values(type.angles, &Angle::stiffness));
   return text;
 }
+
+}  // namespace
 
 std::string driving_parameters(const Driving& driving) {
   std::string text;
@@ -68,7 +62,7 @@ std::string driving_parameters(const Driving& driving) {
   }
   text += fmt::format(", T = {:.6g}", driving.period);
   if (driving.phase_offset != 0) text += fmt::format(", φ = {:.4g} rad", driving.phase_offset);
-  return three ? text + ", " + direction(driving.frame) : text;
+  return three ? text + ", " + directions[static_cast<int>(driving.frame)] : text;
 }
 
 std::vector<std::string> type_notes(const Layout& layout) {

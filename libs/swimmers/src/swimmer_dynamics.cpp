@@ -58,14 +58,6 @@ double bending_together(const SwimmerType& type, const std::size_t k, auto&& wei
   return sum;
 }
 
-/// Returns the number of bonds of each bead.
-std::vector<int> bonds_of_beads(const SwimmerType& type) {
-  std::vector<int> count(type.beads.size());
-  for (const Bond& bond : type.bonds)
-    for (const int bead : bond.beads) ++count[bead];
-  return count;
-}
-
 }  // namespace
 
 double mass(const Bead& bead) {
@@ -111,7 +103,9 @@ int substeps_for(const SwimmerType& type, double step) {
 }
 
 SwimmerType with_resolved_vibrations(SwimmerType type, double step) {
-  const std::vector<int> bonds = bonds_of_beads(type);
+  std::vector<int> bonds(type.beads.size());  // number of bonds of each bead
+  for (const Bond& bond : type.bonds)
+    for (const int bead : bond.beads) ++bonds[bead];
   for (Bond& bond : type.bonds) {
     const auto [i, j] = bond.beads;
     const double reduced_mass = 1 / (1 / mass(type.beads[i]) + 1 / mass(type.beads[j]));

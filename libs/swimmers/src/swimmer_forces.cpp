@@ -9,10 +9,6 @@
 namespace beadswim {
 namespace {
 
-BeadVectors zero_vectors(const SwimmerType& type) {
-  return BeadVectors::Zero(3, std::ssize(type.beads));
-}
-
 /// Returns theta - rest divided by sin(theta), where `sine` and `cosine` are those of the angle theta. A
 /// swimmer with the rest angle 0 has the limit 1 at theta = 0.
 double bending_over_sine(double sine, double cosine, double rest) {
@@ -25,14 +21,9 @@ double bending_over_sine(double sine, double cosine, double rest) {
 /// Returns the rotation of the directions of forces to the box.
 Eigen::Matrix3d frame_of_forces(const SwimmerType& type, const BeadVectors& position,
                                 const Eigen::Matrix3d& initial_orientation) {
-  switch (type.driving.frame) {
-    case DrivingFrame::lab:
-      break;
-    case DrivingFrame::initial_axis:
-      return initial_orientation;
-    case DrivingFrame::body:
-      return fitted_orientation(type, position, initial_orientation);
-  }
+  if (type.driving.frame == DrivingFrame::initial_axis) return initial_orientation;
+  if (type.driving.frame == DrivingFrame::body)
+    return fitted_orientation(type, position, initial_orientation);
   return Eigen::Matrix3d::Identity();
 }
 

@@ -9,10 +9,6 @@ SwimmerMatrix<Size> zero_matrix(const SwimmerType& type) {
   return SwimmerMatrix<Size>::Zero(size, size);
 }
 
-BeadVectors at_rest(const SwimmerType& type) {
-  return BeadVectors::Zero(3, std::ssize(type.beads));
-}
-
 /// Adds the stiffness of an angular spring with the rest angle 0: K_A B^T B, where B is the derivative of u_2
 /// - u_1 by the positions, with the unit vectors u_1 and u_2 along the two sides.
 template <int Size>
@@ -58,7 +54,7 @@ void add_bent_angle(const Angle& angle, const BeadVectors& positions, SwimmerMat
 
 template <int Size>
 SwimmerVector<Size> own_forces(const SwimmerType& type, double time, const BeadVectors& positions) {
-  const BeadVectors bonds = bond_forces(type, time, positions, at_rest(type));
+  const BeadVectors bonds = bond_forces(type, time, positions, zero_vectors(type));
   const BeadVectors angles = angle_forces(type, time, positions);
   return as_vector<Size>(bonds) + as_vector<Size>(angles);
 }
@@ -93,9 +89,9 @@ SwimmerMatrix<Size> own_stiffness(const SwimmerType& type, double time, const Be
 template <int Size>
 SwimmerMatrix<Size> own_damping(const SwimmerType& type, const BeadVectors& positions) {
   SwimmerMatrix<Size> damping = zero_matrix<Size>(type);
-  const BeadVectors still = bond_forces(type, 0, positions, at_rest(type));
+  const BeadVectors still = bond_forces(type, 0, positions, zero_vectors(type));
   for (int c = 0; c < damping.cols(); ++c) {
-    BeadVectors velocity = at_rest(type);
+    BeadVectors velocity = zero_vectors(type);
     velocity(c % 3, c / 3) = 1;
     const BeadVectors moving = bond_forces(type, 0, positions, velocity);
     damping.col(c) = as_vector<Size>(still) - as_vector<Size>(moving);

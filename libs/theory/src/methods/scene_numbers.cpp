@@ -7,7 +7,6 @@
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
-#include "beadswim/swimmers/relaxed_shape.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/linear_response.hpp"

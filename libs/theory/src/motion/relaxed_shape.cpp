@@ -1,4 +1,4 @@
-#include "beadswim/swimmers/relaxed_shape.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"

@@ -31,18 +31,15 @@ struct BeadPair {
   double distance = 0;     ///< smallest distance of the centres, periodic images included [length]
 };
 
-/// Returns the radius of the largest bead [length].
-double largest_radius(const std::vector<PlacedBead>& beads);
+/// Sorts the bead centres into cells, so that all beads whose surfaces are within `max_gap` [length] of a
+/// bead can be found. There must be at least one bead. The cells treat walls as periodic faces, so that a
+/// search may also find beads that are farther away.
+CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double max_gap);
 
-/// Sorts the bead centres into cells, so that all centres within `cutoff` [length] of a point can be found.
-/// There must be at least one bead. The cells treat walls as periodic faces, so that a search may also find
-/// centres that are farther away.
-CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double cutoff);
-
-/// Calls visit(pair) for each pair of beads whose distance (BeadPair::distance) is at most `cutoff` [length],
-/// until visit returns false. May also visit pairs at larger distances. Pairs are visited in ascending order
-/// of `first`, then of `second`.
-void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double cutoff,
+/// Calls visit(pair) for each pair of beads whose surfaces are at most `max_gap` [length] apart, until visit
+/// returns false. May also visit pairs at larger distances. Pairs are visited in ascending order of `first`,
+/// then of `second`.
+void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double max_gap,
                        const std::function<bool(const BeadPair&)>& visit);
 
 /// Returns at most `max_pairs` pairs of beads whose surfaces touch or intersect. Pairs of a bead and its own

@@ -9,7 +9,9 @@
 // A gallery of swimmer types from the literature. Each struct lists the parameters of one kind of swimmer,
 // with default values for a fluid of density 1 and kinematic viscosity 1/3. A list has one value for all
 // beads, arms or sides, or one value for each. nullopt or an empty list stands for a value that follows from
-// the others; a is the largest radius. Page: docs/shapes.md.
+// the others; a is the largest radius. By default bonds are stiff: k = 1000 gamma w prescribes a length to
+// 0.1 %, with the drag coefficient gamma of the largest bead and the angular frequency w. Chains of length L
+// stay straight with K_A = k L^2. Page: docs/shapes.md.
 
 namespace beadswim {
 
@@ -22,7 +24,7 @@ struct GallerySwimmer {
 
 /// Parameters of kinds with bonds.
 struct BondedSwimmer : GallerySwimmer {
-  std::optional<double> stiffness;  ///< k of the bonds; nullopt: stiff_bond() [mass/time^2]
+  std::optional<double> stiffness;  ///< k of the bonds; nullopt: 1000 gamma w [mass/time^2]
   double damping = 0;               ///< c of the bonds [mass/time]
 };
 
@@ -60,12 +62,12 @@ struct PurcellChain : BondedSwimmer {
   double rest_angle = std::numbers::pi / 3;     ///< theta_0; 0: straight [radian]
   double amplitude = 2 * std::numbers::pi / 9;  ///< A, less than theta_0 [radian]
   double phase = std::numbers::pi / 2;          ///< by which hinge 2 is ahead of hinge 1 [radian]
-  std::optional<double> angular_stiffness;      ///< K_A; nullopt: stiff_angle() of one link [energy]
+  std::optional<double> angular_stiffness;      ///< K_A; nullopt: k L^2 of one link [energy]
 };
 
 /// Straight elastic chain of beads along x. A couple of forces, A sin(w t) along y on the last bead and
 /// -A sin(w t) on its neighbour, swings the end; waves of bending run to the other end and push the chain
-/// along x. nullopt for the stiffness of the bonds: stiff_bond(), or 100 A divided by their length, if this
+/// along x. nullopt for the stiffness of the bonds: that of others, or 100 A divided by their length, if this
 /// is more. Wiggins and Goldstein, Phys. Rev. Lett. 80 (1998) 3879; Dreyfus et al., Nature 437 (2005) 862.
 struct Flagellum : BondedSwimmer {
   int beads = 16;                           ///< at least 3
@@ -90,16 +92,8 @@ struct TowedChain : BondedSwimmer {
   std::optional<double> arm;                ///< distance of neighbouring beads; nullopt: 2.5 a [length]
   Vec3 direction = Vec3::UnitY();           ///< in the frame of the box
   std::optional<double> force;              ///< F on each bead; nullopt: as that of a TowedSphere
-  std::optional<double> angular_stiffness;  ///< K_A; nullopt: stiff_angle() of the chain [energy]
+  std::optional<double> angular_stiffness;  ///< K_A; nullopt: k L^2 of the chain [energy]
 };
-
-/// Returns the stiffness k = 1000 gamma w of a bond that prescribes its length to 0.1 % [mass/time^2], where
-/// gamma is the drag coefficient of the largest bead and w the angular frequency of the driving.
-double stiff_bond(const GallerySwimmer& swimmer, const Fluid& fluid);
-
-/// Returns the angular stiffness K_A = 1000 gamma w L^2 of chains of the length L that stay straight
-/// [energy].
-double stiff_angle(const GallerySwimmer& swimmer, double length, const Fluid& fluid);
 
 /// Returns the sperm number S = L (zeta w/(K_A d))^(1/4) of a chain of beads. L: length [length]; d: distance
 /// of neighbouring beads; zeta = 4 pi eta/(ln(L/a) + 1/2): drag coefficient per length across a slender rod

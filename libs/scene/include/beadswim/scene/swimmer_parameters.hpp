@@ -9,10 +9,6 @@
 
 namespace beadswim {
 
-/// Returns the parameters of beads and springs: "λ = 6, bead density 1, l = 32, k = 0.2, KA = 2048". Non-zero
-/// damping is included. Values that differ between beads or arms are separated by commas.
-std::string body_parameters(const SwimmerType& type);
-
 /// Returns the parameters of the driving: "A = B = 2, α = 1.571 rad, T = 2000, along x", or, if it is not the
 /// driving of the paper's swimmer, "3 drives, T = 1000".
 std::string driving_parameters(const Driving& driving);

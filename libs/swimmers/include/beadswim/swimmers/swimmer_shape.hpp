@@ -15,6 +15,10 @@ namespace beadswim {
 /// Vectors of the beads of one swimmer, one column per bead. Needs no memory of the heap.
 using BeadVectors = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, max_beads>;
 
+inline BeadVectors zero_vectors(const SwimmerType& type) {
+  return BeadVectors::Zero(3, std::ssize(type.beads));
+}
+
 /// Returns a list of vectors of the beads as columns.
 inline BeadVectors columns_of_beads(std::span<const Vec3> beads) {
   return Eigen::Map<const Eigen::Matrix3Xd>(beads[0].data(), 3, std::ssize(beads));
@@ -66,5 +70,25 @@ Eigen::Matrix3d fitted_orientation(const SwimmerType& type, const BeadVectors& p
 /// orientation.
 Vec3 axis_of(const SwimmerType& type, std::span<const Vec3> positions,
              const Eigen::Matrix3d& initial_orientation);
+
+// Shapes on which springs and angular springs, with their drives, are in equilibrium. Page:
+// docs/method/springs.md.
+
+/// Returns true if drives change rest lengths or rest angles, and thereby prescribe a shape.
+bool has_driven_shape(const Driving& driving);
+
+struct RelaxedShape {
+  BeadVectors beads;  ///< in the frame of the type, with mean position and orientation of those at rest
+  bool is_converged = false;  ///< false: no equilibrium was found; `beads` have the smallest energy found
+};
+
+/// Returns the shape of smallest energy of springs and angular springs, with their drives at time 0, that is
+/// reached from the beads at rest. Springs that fit together exert no forces on it. The beads move as little
+/// as possible: deformations that no spring resists stay as they are, and each angle stays on its side.
+RelaxedShape relaxed_shape(const SwimmerType& type);
+
+/// Returns the type with its beads where they are at the start of a run: on the relaxed shape if the type has
+/// a driven shape, otherwise at rest. A type whose beads are there within roundoff is returned unchanged.
+SwimmerType at_start(SwimmerType type);
 
 }  // namespace beadswim
