@@ -5,10 +5,9 @@
 #include "accepted.hpp"
 #include "beadswim/run/checkpoints.hpp"
 #include "checkpoint_edits.hpp"
-#include "checkpoint_writer.hpp"
 #include "memory_file.hpp"
 #include "one_rank.hpp"
-#include "run_setup.hpp"
+#include "run_parts.hpp"
 
 // Fuzz target: restarts of runs with checkpoints that have a correct hash, but contents that no run has
 // written. The bytes select the changes of the contents. The run must continue, or report why it cannot

@@ -8,7 +8,7 @@
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/plan/expected_errors.hpp"
-#include "beadswim/run/reason_against.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/run/run.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/tools/stop_signal.hpp"

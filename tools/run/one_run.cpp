@@ -6,7 +6,6 @@
 #include "beadswim/plan/expected_errors.hpp"
 #include "beadswim/plan/lattice_speed_cache.hpp"
 #include "beadswim/run/checkpoints.hpp"
-#include "beadswim/run/percent.hpp"
 #include "beadswim/tools/stop_signal.hpp"
 
 namespace beadswim {

@@ -2,8 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "beadswim/run/percent.hpp"
-#include "beadswim/run/reason_against.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/run/run_length.hpp"
 #include "beadswim/run/velocity_roundoff.hpp"
 #include "planned_scene.hpp"

@@ -9,7 +9,6 @@
 #include <set>
 
 #include "beadswim/io/fields_json.hpp"
-#include "beadswim/run/percent.hpp"
 
 namespace beadswim {
 namespace {

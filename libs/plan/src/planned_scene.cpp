@@ -8,7 +8,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
-#include "beadswim/run/reason_against.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/reduce.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"

@@ -13,8 +13,7 @@
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/plan/plan_report.hpp"
 #include "beadswim/plan/sufficient_box.hpp"
-#include "beadswim/run/percent.hpp"
-#include "beadswim/run/reason_against.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/scene/check.hpp"
 #include "planned_scene.hpp"
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "beadswim/mobility/rotne_prager.hpp"
-#include "beadswim/run/reason_against.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "beadswim/plan/model_errors.hpp"
-#include "beadswim/run/reason_against.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "swimmer_in_box.hpp"
 
 namespace beadswim {

@@ -5,11 +5,28 @@
 #include <filesystem>
 
 #include "beadswim/core/data_error.hpp"
+#include "beadswim/core/version.hpp"
 #include "beadswim/io/fields_json.hpp"
-#include "checkpoint_sections.hpp"
+#include "run_parts.hpp"
 
 namespace beadswim {
 namespace {
+
+constexpr const char *settings_section = "settings", *program_section = "program", *layout_section = "layout",
+                     *moment_section = "moment", *record_section = "record";
+
+/// Returns the path of a checkpoint of a trajectory. `slot`: 0 or 1.
+std::string slot_path(const std::string& trajectory, int slot) {
+  return fmt::format("{}.ckpt.{}", trajectory, slot);
+}
+
+std::string this_program() {
+  return version() + " (" + revision() + ")";
+}
+
+IncomingMessage moment_of(const CheckpointReader& checkpoint) {
+  return IncomingMessage(checkpoint.bytes(moment_section));
+}
 
 /// Returns on all ranks whether the file exists for rank 0. Collective.
 bool exists(const std::string& path, const Communicator& communicator) {
@@ -45,7 +62,36 @@ std::unique_ptr<CheckpointReader> latest_complete_checkpoint(
   return last;
 }
 
+/// Renames a checkpoint file that another run has left under this path. Otherwise a restart could mistake
+/// this file for a checkpoint of the present run.
+void rename_old_checkpoint(const std::string& path) {
+  std::error_code failure;
+  if (!std::filesystem::exists(path, failure)) return;
+  std::filesystem::rename(path, path + ".old", failure);
+  if (failure)
+    throw SolverError(
+        fmt::format("the file {} of an older run cannot be renamed: {}; rename or remove this file", path,
+                    failure.message()));
+}
+
+void warn_of_other_program(const RunParts& parts, const CheckpointReader& checkpoint) {
+  const std::string writer = checkpoint.text(program_section);
+  if (writer == this_program() || !parts.communicator.is_root() || !parts.sinks.message) return;
+  parts.sinks.message(
+      fmt::format("warning: the checkpoint {} was written by {}, but this program is {}; the last bits of "
+                  "results may differ",
+                  checkpoint.path(), writer, this_program()));
+}
+
 }  // namespace
+
+void refuse_other_version(const CheckpointReader& checkpoint) {
+  throw SolverError(
+      fmt::format("{}: the checkpoint was written by another version of the program; continue with that "
+                  "version, or begin "
+                  "without {}",
+                  checkpoint.path(), Setting::restart));
+}
 
 std::string trajectory_of(const std::string& restart) {
   for (const int slot : {0, 1}) {
@@ -89,22 +135,15 @@ std::unique_ptr<CheckpointReader> open_interrupted_run(const std::string& trajec
 }
 
 RunSettings settings_of(const CheckpointReader& checkpoint) {
-  const auto refuse = [&] {
-    throw InputError(
-        checkpoint.path(),
-        fmt::format(
-            "this version of the program cannot read the settings in the checkpoint; begin without {}",
-            Setting::restart));
-  };
-  RunSettings settings;
   try {
-    parse_json(checkpoint.text(settings_section), checkpoint.path()).get_to(settings);
+    return parse_json(checkpoint.text(settings_section), checkpoint.path()).get<RunSettings>();
   } catch (const Json::exception&) {
-    refuse();
   } catch (const DataError&) {  // another version stored no settings
-    refuse();
   }
-  return settings;
+  throw InputError(
+      checkpoint.path(),
+      fmt::format("this version of the program cannot read the settings in the checkpoint; begin without {}",
+                  Setting::restart));
 }
 
 void require_same_results(const RunSettings& wanted, const RunSettings& present) {
@@ -127,6 +166,70 @@ long steps_done_in(const CheckpointReader& checkpoint) {
   long steps_done = 0;
   with_checkpoint_remedy([&] { moment_of(checkpoint)(steps_done); });
   return steps_done;
+}
+
+RunHistory restore(const RunParts& parts, const CheckpointReader& checkpoint) {
+  warn_of_other_program(parts, checkpoint);
+  RunHistory history;
+  with_checkpoint_remedy([&] {
+    IncomingMessage moment = moment_of(checkpoint);
+    moment(history.steps_done);
+    if (history.steps_done < 0)
+      throw DataError(checkpoint.path(),
+                      "the number of time steps in the checkpoint is negative, so the file is damaged");
+    parts.model.restore(history.steps_done, moment, checkpoint);
+    moment(history.wall_seconds, history.core_seconds);
+    if (!moment.is_at_end()) refuse_other_version(checkpoint);
+    parts.recorder.restore(
+        parts.communicator.is_root() ? checkpoint.bytes(record_section) : std::vector<char>{},
+        history.steps_done);
+  });
+  return history;
+}
+
+Checkpoints::Checkpoints(const RunTask& task, const ModelPlan& plan, const Communicator& communicator)
+    : trajectory_(task.trajectory),
+      settings_(dump_json(Json(plan.settings))),
+      layout_(dump_json(layout_to_json(task.document))),
+      communicator_(communicator),
+      last_(task.checkpoint ? task.checkpoint->path() : "") {
+  int slot = communicator_.is_root() ? slot_of(last_) : -1;
+  MPI_Bcast(&slot, 1, MPI_INT, 0, communicator_.get());
+  if (slot >= 0) {
+    slot_ = 1 - slot;  // the next checkpoint must not overwrite the one from which the run continues
+  } else if (communicator_.is_root() && !trajectory_.empty()) {
+    for (const int other : {0, 1}) rename_old_checkpoint(slot_path(trajectory_, other));
+  }
+}
+
+int Checkpoints::slot_of(const std::string& checkpoint) const {
+  std::error_code ignored;
+  for (const int slot : {0, 1}) {
+    if (!checkpoint.empty() && std::filesystem::equivalent(checkpoint, slot_path(trajectory_, slot), ignored))
+      return slot;
+  }
+  return -1;
+}
+
+void Checkpoints::write(const RunParts& parts, const RunHistory& history) {
+  if (parts.trajectory == nullptr) return;
+  const std::vector<char> record = parts.recorder.state();
+  OutgoingMessage moment;
+  moment(history.steps_done);
+  parts.model.write_history(moment);
+  moment(history.wall_seconds, history.core_seconds);
+  const std::string path = slot_path(trajectory_, slot_);
+  CheckpointWriter file(path, communicator_);
+  file.add(program_section, this_program());
+  file.add(settings_section, settings_);
+  file.add(layout_section, layout_);
+  file.add(moment_section, moment.bytes());
+  parts.model.write_state(file);
+  file.add(record_section, record);
+  parts.trajectory->add_to(file);
+  file.finish();
+  last_ = path;
+  slot_ = 1 - slot_;
 }
 
 }  // namespace beadswim

@@ -2,23 +2,50 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
 
+#include "beadswim/core/version.hpp"
 #include "beadswim/io/xdmf.hpp"
 #include "beadswim/run/checkpoints.hpp"
-#include "checkpoint_writer.hpp"
-#include "record/record.hpp"
-#include "run_loop.hpp"
-#include "run_setup.hpp"
+#include "beadswim/scene/check.hpp"
+#include "models/models.hpp"
+#include "run_parts.hpp"
 
 namespace beadswim {
 namespace {
+
+/// Adds a warning if swimmers complete no cycle until the last frame of the run.
+void warn_of_missing_cycles(ModelPlan& plan) {
+  const auto cycle = static_cast<double>(plan.steps_per_cycle);
+  const double frame = cycle / std::min<double>(plan.settings.frames_per_cycle, cycle);
+  double missing = 0, needed = 0, roundoff = 1e-9;
+  for (const PlacedSwimmer& swimmer : plan.swimmers) {
+    const double end = frame * std::ceil(std::round(plan.periods[swimmer.type]) / frame - roundoff);
+    missing += end > static_cast<double>(plan.steps_in(plan.settings.cycles)) + 0.5;
+    needed = std::max(needed, end);
+  }
+  if (missing > 0)
+    plan.warnings.push_back(
+        {"no-cycle",
+         fmt::format("the run is too short for a complete cycle of {} of {} swimmers, so it gives neither "
+                     "velocity nor stroke of them; run {:.6g} cycles or more",
+                     missing, plan.swimmers.size(), needed / cycle)});
+}
 
 /// Returns the absolute path, which different names of a file share.
 std::filesystem::path absolute_path(const std::string& path) {
   std::error_code fault;
   const auto absolute = std::filesystem::weakly_canonical(std::filesystem::absolute(path, fault), fault);
   return fault ? std::filesystem::path(path) : absolute;
+}
+
+/// Returns true if the run writes to the trajectory of the earlier run that it continues.
+bool continues_same_trajectory(const RunTask& task) {
+  return task.checkpoint &&
+         absolute_path(trajectory_of(task.checkpoint->path())) == absolute_path(task.trajectory);
 }
 
 /// Writes an index file with which ParaView opens the trajectory (XDMF). All results have been written
@@ -51,7 +78,7 @@ RunResult run_and_record(const RunParts& parts, RunTask& task) {
   RunResult result;
   result.late_warnings = late_warnings(parts);
   result.record = make_record(parts, task.document, outcome, result.late_warnings);
-  result.steps_done = parts.model.steps_done();
+  result.steps_done = outcome.history.steps_done;
   if (parts.trajectory == nullptr) return result;
   parts.trajectory->finish();
   if (parts.communicator.is_root()) write_paraview_index(task.trajectory, parts.sinks);
@@ -60,13 +87,67 @@ RunResult run_and_record(const RunParts& parts, RunTask& task) {
 
 }  // namespace
 
-bool RunTask::continues_same_trajectory() const {
-  return checkpoint && absolute_path(trajectory_of(checkpoint->path())) == absolute_path(trajectory);
+std::optional<StopRequest> stop_by_signal(int signal) {
+  if (signal == 0) return std::nullopt;
+  return StopRequest{.reason = fmt::format("the run was stopped by signal {}", signal)};
+}
+
+std::unique_ptr<ModelPlan> plan_for(const RunTask& task, const Communicator& communicator) {
+  require_ranges(task.settings);
+  const auto make_plan = task.settings.model == RunModel::lbm ? lattice_plan : overdamped_plan;
+  std::unique_ptr<ModelPlan> plan = make_plan(task.document.layout, task.settings, task.source, communicator);
+  if (const int frames = plan->settings.frames_per_cycle; frames > plan->steps_per_cycle)
+    plan->warnings.push_back(
+        {"few-steps",
+         fmt::format("a cycle has only {} time steps, so {} frames per cycle are recorded instead of {}",
+                     plan->steps_per_cycle, plan->steps_per_cycle, frames)});
+  if (const std::string warning = warning_of_fixed_forces(task.document.layout); !warning.empty())
+    plan->warnings.push_back({"forces-fixed-in-box", warning});
+  if (!task.trajectory.empty() && !paraview_can_open(task.trajectory))
+    plan->warnings.push_back(
+        {"paraview-name",
+         fmt::format("ParaView cannot open the name {}: it needs ASCII characters without colon, backslash "
+                     "and ~, and no space at the start; give another name with {}",
+                     task.trajectory, Setting::output)});
+  warn_of_missing_cycles(*plan);
+  if (task.checkpoint) plan->steps_done = steps_done_in(*task.checkpoint);
+  const double cycles = plan->settings.cycles;
+  require_end_after(cycles, plan->steps_in(cycles), plan->steps_done, plan->steps_per_cycle);
+  return plan;
+}
+
+TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan) {
+  TrajectoryHeader header;
+  header.box = document.layout.domain.box;
+  std::map<int, const SwimmerType*> types;  // by the id of the swimmer
+  for (const Swimmer& swimmer : document.layout.swimmers)
+    types[swimmer.id] = &document.layout.types.at(swimmer.type);
+  for (const PlacedSwimmer& swimmer : plan.swimmers) {
+    const int first = static_cast<int>(header.bead.size());
+    for (const Bond& bond : types.at(swimmer.id)->bonds)
+      header.bonds.push_back({first + bond.beads[0], first + bond.beads[1]});
+    for (std::size_t b = 0; b < plan.radii[swimmer.type].size(); ++b) {
+      header.swimmer.push_back(swimmer.id);
+      header.bead.push_back(static_cast<int>(b) + 1);
+      header.radius.push_back(plan.radii[swimmer.type][b]);
+    }
+  }
+  // Units that readers of molecular simulations know. They refuse files with other units, but not files
+  // without units.
+  if (const Units& units = document.layout.units;
+      !units.lattice && units.length.name == "nm" && units.time.name == "ns") {
+    header.length_unit = units.length.name;
+    header.time_unit = units.time.name;
+  }
+  header.creator_version = version() + " (" + revision() + ")";
+  header.layout = dump_json(layout_to_json(document));
+  header.cycle_columns = columns_of<CycleStatistics>({}, widest_cycle(document.layout));
+  return header;
 }
 
 RunResult run(RunTask& task, const ModelPlan& plan, const RunSinks& sinks, const Communicator& communicator) {
   const std::unique_ptr<Model> model =
-      plan.make(task.trajectory, task.continues_same_trajectory() ? plan.steps_done : 0);
+      plan.make(task.trajectory, continues_same_trajectory(task) ? plan.steps_done : 0);
   std::optional<TrajectoryWriter> trajectory;
   if (!task.trajectory.empty())
     trajectory.emplace(task.trajectory, header_of(task.document, plan), communicator, task.checkpoint.get());

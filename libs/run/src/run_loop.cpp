@@ -1,4 +1,4 @@
-#include "run_loop.hpp"
+#include "run_parts.hpp"
 
 #include <fmt/core.h>
 
@@ -7,13 +7,12 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/round_up.hpp"
-#include "checkpoint_writer.hpp"
 
 namespace beadswim {
 namespace {
 
-/// Number of time steps between checks for faults and requests to stop. These checks need
-/// communication of all ranks.
+/// Number of time steps between checks for faults and requests to stop. These checks need communication of
+/// all ranks.
 constexpr long steps_between_guards = 20;
 
 /// Number of time steps between checks of the total mass and momentum, which are also checked with every
@@ -55,7 +54,7 @@ struct Timetable {
 
  private:
   static long interval(const ModelPlan& plan, const std::optional<double>& cycles) {
-    return cycles ? plan.steps_between_outputs(*cycles) : 0;
+    return cycles ? plan.whole_steps(steps_between(*cycles, plan.steps_per_cycle)) : 0;
   }
 };
 
@@ -83,9 +82,7 @@ class TimeLoop {
       if (due_.is_flow(step())) parts_.model.write_flow();
       if (is_guard) guard();
     }
-    const RunHistory now = current_history();
-    outcome_.wall_seconds = now.wall_seconds;
-    outcome_.core_seconds = now.core_seconds;
+    outcome_.history = current_history();
     return outcome_;
   }
 
@@ -107,8 +104,7 @@ class TimeLoop {
     return true;
   }
 
-  /// Stops the run if this is requested. Writes a checkpoint if one is due or if the
-  /// run stops.
+  /// Stops the run if this is requested. Writes a checkpoint if one is due or if the run stops.
   void guard() {
     if (parts_.communicator.is_root() && parts_.sinks.progress) parts_.sinks.progress(step());
     bool is_checkpoint = due_.is_checkpoint(step());

@@ -10,29 +10,19 @@ namespace {
 
 /// Returns why a setting of this scope has no effect in runs with the model.
 std::string reason_against_scope(SettingScope scope, RunModel model) {
-  switch (scope) {
-    case SettingScope::lattice:
-      return fmt::format("the setting applies to the lattice only; leave it out, or use {} lbm instead of {}",
-                         Setting::model, to_text(model));
-    case SettingScope::moments:
-      if (model != RunModel::lbm)
-        return fmt::format(
-            "the setting applies to the models multipole and unsteady only; leave it out, or add {} "
-            "multipole",
-            Setting::model);
-      break;
-    case SettingScope::unsteady:
-      if (model != RunModel::lbm)
-        return fmt::format("the setting applies to the model unsteady only; leave it out, or add {} unsteady",
-                           Setting::model);
-      break;
-    default:
-      break;
-  }
+  if (scope == SettingScope::lattice)
+    return fmt::format("the setting applies to the lattice only; leave it out, or use {} lbm instead of {}",
+                       Setting::model, to_text(model));
+  if (scope == SettingScope::moments && model != RunModel::lbm)
+    return fmt::format(
+        "the setting applies to the models multipole and unsteady only; leave it out, or add {} multipole",
+        Setting::model);
+  if (scope == SettingScope::unsteady && model != RunModel::lbm)
+    return fmt::format("the setting applies to the model unsteady only; leave it out, or add {} unsteady",
+                       Setting::model);
   return fmt::format(
       "the setting applies to mobility models only; leave it out, or add {} rpy, rpy+near, multipole, oseen "
-      "or "
-      "unsteady",
+      "or unsteady",
       Setting::model);
 }
 

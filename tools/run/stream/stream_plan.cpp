@@ -10,7 +10,6 @@
 #include "beadswim/documents/study_text.hpp"
 #include "beadswim/plan/lattice_speed_cache.hpp"
 #include "beadswim/plan/plan_report.hpp"
-#include "beadswim/run/percent.hpp"
 #include "beadswim/study/rank_groups.hpp"
 #include "one_run.hpp"
 

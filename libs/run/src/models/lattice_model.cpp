@@ -1,5 +1,3 @@
-#include "models/lattice_model.hpp"
-
 #include <fmt/core.h>
 
 #include <cmath>
@@ -7,15 +5,12 @@
 
 #include "beadswim/core/data_error.hpp"
 #include "beadswim/coupling/conservation.hpp"
-#include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/coupling/refinement.hpp"
-#include "beadswim/run/run_length.hpp"
 #include "beadswim/run/velocity_roundoff.hpp"
-#include "models/fault_message.hpp"
-#include "models/lattice_record.hpp"
-#include "models/lattice_state.hpp"
-#include "models/warnings.hpp"
+#include "models/flow_output.hpp"
+#include "models/lattice_model.hpp"
+#include "models/models.hpp"
 
 namespace beadswim {
 namespace {
@@ -34,13 +29,6 @@ std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator
       size, lattice.scales.length, lattice.scales.time, lattice.relaxation_time, lattice.steps_per_period,
       on_lattice.scene.swimmers.size(), to_text(on_lattice.scene.precision),
       1e-9 * lattice_bytes(on_lattice.scene), communicator.size());
-}
-
-std::optional<FlowOutput> flow_output(const LatticePlan& plan, const std::string& trajectory,
-                                      long flow_until) {
-  if (!plan.settings.flow_every || trajectory.empty()) return std::nullopt;
-  return FlowOutput(trajectory, plan.on_lattice.lattice.scales, flow_until,
-                    static_cast<int>(plan.on_lattice.scene.all_levels().size()), plan.communicator);
 }
 
 /// Returns position and velocity of a bead `ahead` time steps later. `next`: its velocity at the end of the
@@ -68,33 +56,159 @@ CoupledScene with_levels(CoupledScene scene, const std::vector<std::array<int, 6
   throw DataError(path, "the levels of cells in the checkpoint are damaged");
 }
 
-}  // namespace
-
-LatticePlan::LatticePlan(const Layout& layout, const RunSettings& requested, const std::string& source,
-                         const Communicator& ranks)
-    : communicator(ranks), on_lattice(put_on_lattice(layout, requested.lattice, source)) {
-  require_memory(on_lattice.scene, communicator);
-  const LatticeChoice& lattice = on_lattice.lattice;
-  settings = requested;
-  settings.lattice.cells_per_radius = on_lattice.resolution.cells_per_radius;
-  settings.lattice.relaxation_time = on_lattice.resolution.relaxation_time;
-  units = lattice.scales;
-  base_period = on_lattice.period;
-  time_step = lattice.scales.time;
-  steps_per_cycle = lattice.steps_per_period;
-  for (const SwimmerType& type : on_lattice.scene.types) {
-    periods.push_back(type.driving.period);
-    std::vector<double>& of_type = radii.emplace_back();
-    for (const Bead& bead : type.beads) of_type.push_back(bead.radius * units.length);
+struct LatticePlan : ModelPlan {
+  LatticePlan(const Layout& layout, const RunSettings& requested, const std::string& source,
+              const Communicator& ranks)
+      : communicator(ranks), on_lattice(put_on_lattice(layout, requested.lattice, source)) {
+    require_memory(on_lattice.scene, communicator);
+    const LatticeChoice& lattice = on_lattice.lattice;
+    settings = requested;
+    settings.lattice.cells_per_radius = on_lattice.resolution.cells_per_radius;
+    settings.lattice.relaxation_time = on_lattice.resolution.relaxation_time;
+    units = lattice.scales;
+    base_period = on_lattice.period;
+    time_step = lattice.scales.time;
+    steps_per_cycle = lattice.steps_per_period;
+    for (const SwimmerType& type : on_lattice.scene.types) {
+      periods.push_back(type.driving.period);
+      std::vector<double>& of_type = radii.emplace_back();
+      for (const Bead& bead : type.beads) of_type.push_back(bead.radius * units.length);
+    }
+    softening = on_lattice.softening;
+    swimmers = on_lattice.scene.swimmers;
+    updates_per_step = beadswim::updates_per_step(on_lattice.scene.all_levels());
+    step_multiple = 1L << (on_lattice.scene.all_levels().size() - 1);
+    announcement = announcement_of(on_lattice, communicator);
+    const long steps = total_steps(settings.cycles, steps_per_cycle);
+    warnings = warnings_before(on_lattice, velocity_roundoff(on_lattice.scene, steps_per_cycle, steps));
   }
-  softening = on_lattice.softening;
-  swimmers = on_lattice.scene.swimmers;
-  updates_per_step = beadswim::updates_per_step(on_lattice.scene.all_levels());
-  step_multiple = 1L << (on_lattice.scene.all_levels().size() - 1);
-  announcement = announcement_of(on_lattice, communicator);
-  const long steps = total_steps(settings.cycles, steps_per_cycle);
-  warnings = warnings_before(on_lattice, velocity_roundoff(on_lattice.scene, steps_per_cycle, steps));
-}
+
+  std::unique_ptr<Model> make(const std::string& trajectory, long flow_until) const override;
+  const SceneOnLattice* lattice() const override { return &on_lattice; }
+
+  const Communicator& communicator;
+  SceneOnLattice on_lattice;
+};
+
+class LatticeModel : public Model {
+ public:
+  LatticeModel(const LatticePlan& plan, const std::string& trajectory, long flow_until)
+      : on_lattice_(plan.on_lattice),
+        communicator_(plan.communicator),
+        system_(std::make_unique<CoupledSystem>(on_lattice_.scene, communicator_)),
+        first_totals_(system_->totals()),
+        last_totals_(first_totals_) {
+    if (plan.settings.flow_every && !trajectory.empty())
+      flow_.emplace(trajectory, on_lattice_.lattice.scales, flow_until,
+                    static_cast<int>(on_lattice_.scene.all_levels().size()), communicator_);
+  }
+
+  void step() override {
+    system_->step();
+    auto moved = with_levels_around_beads(*system_, communicator_);
+    if (!moved) return;
+    earlier_traffic_.add(system_->traffic());
+    system_ = std::move(moved);
+  }
+  long steps_done() const override { return system_->steps_done(); }
+
+  int own_swimmers() const override { return static_cast<int>(system_->owned_swimmers().size()); }
+  SwimmerIdentity own_swimmer(int number) const override {
+    const SwimmerState& swimmer = system_->owned_swimmers()[number];
+    return {.id = swimmer.id, .type = swimmer.type};
+  }
+
+  std::vector<Vec3> bead_positions(int number, double ahead) const override {
+    const SwimmerState& swimmer = system_->owned_swimmers()[number];
+    std::vector<Vec3> positions;
+    for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
+      positions.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead).position);
+    return positions;
+  }
+
+  std::vector<SwimmerPose> gather_swimmers(double ahead) const override {
+    std::vector<SwimmerPose> poses;
+    for (const SwimmerState& swimmer : system_->gather_swimmers()) {
+      SwimmerPose& pose = poses.emplace_back();
+      pose.id = swimmer.id;
+      for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
+        pose.motion.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead));
+    }
+    return poses;
+  }
+
+  ModelTotals first_totals() const override { return in_layout_units(first_totals_); }
+  ModelTotals totals() override {
+    last_totals_ = system_->totals();
+    last_totals_step_ = steps_done();
+    return in_layout_units(last_totals_);
+  }
+
+  std::optional<ModelFault> fault() const override {
+    std::optional<Fault> fault = system_->fault();
+    if (!fault && last_totals_step_ == steps_done()) {
+      fault =
+          conservation_fault(on_lattice_.scene, first_totals_, last_totals_, system_->largest_bead_speed());
+      if (fault) fault->step = steps_done();
+    }
+    if (!fault) return std::nullopt;
+    return ModelFault{
+        .status = fault->kind == FaultKind::speed ? RunStatus::stopped_speed : RunStatus::failed,
+        .message = fault_message(*fault, on_lattice_, largest_mach())};
+  }
+
+  void write_flow() override {
+    if (flow_) flow_->write(*system_);
+  }
+  void describe(RunRecord& record) const override {
+    Traffic traffic = earlier_traffic_;
+    traffic.add(system_->traffic());
+    describe_lattice_run(record, *system_, on_lattice_, traffic, steps_done() - first_step_, communicator_);
+  }
+  std::vector<RunWarning> warnings() const override { return warnings_after(largest_mach()); }
+
+  void write_history(OutgoingMessage& history) const override {
+    history(system_->progress(), first_totals_, flow_ ? flow_->steps() : std::vector<long>{});
+    if (on_lattice_.scene.levels.empty()) return;
+    std::vector<std::array<int, 6>> levels;
+    for (const Block& level : system_->scene().levels) levels.push_back(level.numbers());
+    history(levels);
+  }
+  void write_state(CheckpointWriter& checkpoint) override { write_lattice_state(checkpoint, *system_); }
+  void restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) override {
+    SystemProgress progress{.steps_done = steps_done};
+    std::vector<long> flow_steps;
+    history(progress, first_totals_, flow_steps);
+    if (flow_) flow_->restore(flow_steps);
+    if (!on_lattice_.scene.levels.empty()) {
+      std::vector<std::array<int, 6>> levels;
+      history(levels);
+      system_.reset();
+      system_ = std::make_unique<CoupledSystem>(with_levels(on_lattice_.scene, levels, checkpoint.path()),
+                                                communicator_);
+    }
+    read_lattice_state(checkpoint, *system_, progress);
+    first_step_ = steps_done;
+  }
+
+ private:
+  ModelTotals in_layout_units(const SceneTotals& totals) const {
+    const UnitScales& scales = on_lattice_.lattice.scales;
+    return {.momentum = totals.momentum * scales.momentum(),
+            .mean_flow = totals.mean_flow * scales.velocity(),
+            .mass_excess = totals.mass_excess};
+  }
+  double largest_mach() const { return system_->largest_bead_speed() * std::sqrt(3.0); }
+
+  const SceneOnLattice& on_lattice_;
+  const Communicator& communicator_;
+  std::unique_ptr<CoupledSystem> system_;
+  std::optional<FlowOutput> flow_;
+  Traffic earlier_traffic_;                 ///< messages of systems that have been replaced
+  long first_step_ = 0;                     ///< steps of the earlier run that this run continues
+  SceneTotals first_totals_, last_totals_;  ///< at the start of the run, and most recently; in lattice units
+  long last_totals_step_ = 0;
+};
 
 std::unique_ptr<Model> LatticePlan::make(const std::string& trajectory, long flow_until) const {
   try {
@@ -109,110 +223,11 @@ std::unique_ptr<Model> LatticePlan::make(const std::string& trajectory, long flo
   }
 }
 
-LatticeModel::LatticeModel(const LatticePlan& plan, const std::string& trajectory, long flow_until)
-    : on_lattice_(plan.on_lattice),
-      communicator_(plan.communicator),
-      system_(std::make_unique<CoupledSystem>(on_lattice_.scene, communicator_)),
-      flow_(flow_output(plan, trajectory, flow_until)),
-      first_totals_(system_->totals()),
-      last_totals_(first_totals_) {}
+}  // namespace
 
-void LatticeModel::step() {
-  system_->step();
-  auto moved = with_levels_around_beads(*system_, communicator_);
-  if (!moved) return;
-  earlier_traffic_.add(system_->traffic());
-  system_ = std::move(moved);
-}
-
-SwimmerIdentity LatticeModel::own_swimmer(int number) const {
-  const SwimmerState& swimmer = system_->owned_swimmers()[number];
-  return {.id = swimmer.id, .type = swimmer.type};
-}
-
-std::vector<Vec3> LatticeModel::bead_positions(int number, double ahead) const {
-  const SwimmerState& swimmer = system_->owned_swimmers()[number];
-  std::vector<Vec3> positions;
-  for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
-    positions.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead).position);
-  return positions;
-}
-
-std::vector<SwimmerPose> LatticeModel::gather_swimmers(double ahead) const {
-  std::vector<SwimmerPose> poses;
-  for (const SwimmerState& swimmer : system_->gather_swimmers()) {
-    SwimmerPose& pose = poses.emplace_back();
-    pose.id = swimmer.id;
-    for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
-      pose.motion.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead));
-  }
-  return poses;
-}
-
-ModelTotals LatticeModel::in_layout_units(const SceneTotals& totals) const {
-  const UnitScales& scales = on_lattice_.lattice.scales;
-  return {.momentum = totals.momentum * scales.momentum(),
-          .mean_flow = totals.mean_flow * scales.velocity(),
-          .mass_excess = totals.mass_excess};
-}
-
-ModelTotals LatticeModel::totals() {
-  last_totals_ = system_->totals();
-  last_totals_step_ = steps_done();
-  return in_layout_units(last_totals_);
-}
-
-std::optional<ModelFault> LatticeModel::fault() const {
-  std::optional<Fault> fault = system_->fault();
-  if (!fault && last_totals_step_ == steps_done()) {
-    fault = conservation_fault(on_lattice_.scene, first_totals_, last_totals_, system_->largest_bead_speed());
-    if (fault) fault->step = steps_done();
-  }
-  if (!fault) return std::nullopt;
-  return ModelFault{.status = fault->kind == FaultKind::speed ? RunStatus::stopped_speed : RunStatus::failed,
-                    .message = fault_message(*fault, on_lattice_, largest_mach())};
-}
-
-double LatticeModel::largest_mach() const {
-  return system_->largest_bead_speed() * std::sqrt(3.0);
-}
-
-void LatticeModel::describe(RunRecord& record) const {
-  Traffic traffic = earlier_traffic_;
-  traffic.add(system_->traffic());
-  describe_lattice_run(record, *system_, on_lattice_, traffic, steps_done() - first_step_, communicator_);
-}
-
-std::vector<RunWarning> LatticeModel::warnings() const {
-  return warnings_after(largest_mach());
-}
-
-void LatticeModel::write_history(OutgoingMessage& history) const {
-  history(system_->progress(), first_totals_, flow_ ? flow_->steps() : std::vector<long>{});
-  if (on_lattice_.scene.levels.empty()) return;
-  std::vector<std::array<int, 6>> levels;
-  for (const Block& level : system_->scene().levels) levels.push_back(level.numbers());
-  history(levels);
-}
-
-void LatticeModel::write_state(CheckpointWriter& checkpoint) {
-  write_lattice_state(checkpoint, *system_);
-}
-
-void LatticeModel::restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) {
-  SystemProgress progress{.steps_done = steps_done};
-  std::vector<long> flow_steps;
-  history(progress, first_totals_, flow_steps);
-  if (flow_) flow_->restore(flow_steps);
-  if (!on_lattice_.scene.levels.empty()) {
-    std::vector<std::array<int, 6>> levels;
-    history(levels);
-    system_.reset();
-    system_ = std::make_unique<CoupledSystem>(with_levels(on_lattice_.scene, levels, checkpoint.path()),
-                                              communicator_);
-  }
-  read_lattice_state(checkpoint, *system_, progress);
-  first_step_ = steps_done;
+std::unique_ptr<ModelPlan> lattice_plan(const Layout& layout, const RunSettings& requested,
+                                        const std::string& source, const Communicator& communicator) {
+  return std::make_unique<LatticePlan>(layout, requested, source, communicator);
 }
 
 }  // namespace beadswim

@@ -1,69 +1,44 @@
 #pragma once
 
-#include <memory>
+#include <string>
+#include <vector>
 
 #include "beadswim/coupling/coupled_system.hpp"
+#include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
-#include "beadswim/run/model.hpp"
-#include "models/flow_output.hpp"
+#include "beadswim/documents/run_record_document.hpp"
+#include "beadswim/io/checkpoint_file.hpp"
 
-// Model of a run: resolved beads in a lattice-Boltzmann fluid (libs/coupling).
+// Parts of the model lbm: its messages, its data in a record, and its state in a checkpoint.
 
 namespace beadswim {
 
-/// Description of a run with the model lbm (lattice Boltzmann).
-struct LatticePlan : ModelPlan {
-  /// The communicator must exist as long as the plan. Throws the errors of put_on_lattice()
-  /// (scene_on_lattice.hpp), and InputError if the memory of the machine does not suffice. Collective.
-  LatticePlan(const Layout& layout, const RunSettings& requested, const std::string& source,
-              const Communicator& communicator);
+/// Returns the message for users about a fault that ended a run: place, fault, likely cause and remedy.
+/// `mach_so_far`: largest Mach number of a bead before the fault.
+std::string fault_message(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far);
 
-  std::unique_ptr<Model> make(const std::string& trajectory, long flow_until) const override;
-  const SceneOnLattice* lattice() const override { return &on_lattice; }
+/// Returns the warnings that are known before the run; they do not stop it. `roundoff`: relative error of the
+/// swimmers' velocity caused by rounding of the populations, from velocity_roundoff().
+std::vector<RunWarning> warnings_before(const SceneOnLattice& on_lattice, double roundoff);
 
-  const Communicator& communicator;
-  SceneOnLattice on_lattice;
-};
+/// Returns a warning if the beads were so fast that compressibility affects the results. `mach`: largest Mach
+/// number of a bead in the run.
+std::vector<RunWarning> warnings_after(double mach);
 
-/// The model lbm: resolved beads in a lattice-Boltzmann fluid.
-class LatticeModel : public Model {
- public:
-  LatticeModel(const LatticePlan& plan, const std::string& trajectory, long flow_until);
+/// Adds the data of a lattice run to a record that already contains status and cost: model, resolution,
+/// dimensionless numbers, near contact, cell updates, communication, and the hash of the state. `own_steps`:
+/// number of time steps of this run alone, without an earlier run that it continues; `traffic`: messages of
+/// this rank in these steps. The record is complete on rank 0 only. Collective.
+void describe_lattice_run(RunRecord& record, const CoupledSystem& system, const SceneOnLattice& on_lattice,
+                          const Traffic& traffic, long own_steps, const Communicator& communicator);
 
-  void step() override;
-  long steps_done() const override { return system_->steps_done(); }
+/// Writes the state of the system to a checkpoint: the populations of the fluid, and the swimmers with their
+/// pending impulses. A pending impulse is momentum that the fluid has already lost to a bead, but the bead
+/// has not yet received. Collective.
+void write_lattice_state(CheckpointWriter& file, CoupledSystem& system);
 
-  int own_swimmers() const override { return static_cast<int>(system_->owned_swimmers().size()); }
-  SwimmerIdentity own_swimmer(int number) const override;
-  std::vector<Vec3> bead_positions(int number, double ahead) const override;
-  std::vector<SwimmerPose> gather_swimmers(double ahead) const override;
-
-  ModelTotals first_totals() const override { return in_layout_units(first_totals_); }
-  ModelTotals totals() override;
-  std::optional<ModelFault> fault() const override;
-
-  void write_flow() override {
-    if (flow_) flow_->write(*system_);
-  }
-  void describe(RunRecord& record) const override;
-  std::vector<RunWarning> warnings() const override;
-
-  void write_history(OutgoingMessage& history) const override;
-  void write_state(CheckpointWriter& checkpoint) override;
-  void restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) override;
-
- private:
-  ModelTotals in_layout_units(const SceneTotals& totals) const;
-  double largest_mach() const;
-
-  const SceneOnLattice& on_lattice_;
-  const Communicator& communicator_;
-  std::unique_ptr<CoupledSystem> system_;
-  std::optional<FlowOutput> flow_;
-  Traffic earlier_traffic_;                 ///< messages of systems that have been replaced
-  long first_step_ = 0;                     ///< steps of the earlier run that this run continues
-  SceneTotals first_totals_, last_totals_;  ///< at the start of the run, and most recently; in lattice units
-  long last_totals_step_ = 0;
-};
+/// Restores the system from a checkpoint of the same levels. Throws SolverError if the checkpoint contains
+/// swimmers of another scene. Collective.
+void read_lattice_state(const CheckpointReader& file, CoupledSystem& system, const SystemProgress& progress);
 
 }  // namespace beadswim

@@ -1,4 +1,4 @@
-#include "models/lattice_record.hpp"
+#include "models/lattice_model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "beadswim/coupling/gather.hpp"
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/lattice/trt.hpp"
-#include "record/record.hpp"
+#include "run_parts.hpp"
 
 namespace beadswim {
 namespace {

@@ -1,4 +1,4 @@
-#include "models/lattice_state.hpp"
+#include "models/lattice_model.hpp"
 
 #include <algorithm>
 

@@ -1,18 +1,15 @@
-#include "models/overdamped_model.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
 #include "beadswim/mobility/force_moments.hpp"
 #include "beadswim/overdamped/overdamped_setup.hpp"
-#include "beadswim/run/percent.hpp"
+#include "beadswim/overdamped/overdamped_system.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
-#include "checkpoint_sections.hpp"
-#include "record/record.hpp"
+#include "models/models.hpp"
+#include "run_parts.hpp"
 
 namespace beadswim {
 namespace {
@@ -24,254 +21,284 @@ std::string lattice_over_wall() {
   return fmt::format("{} lbm in a box with the boundary no-slip across the wall", Setting::model);
 }
 
-}  // namespace
-
-OverdampedPlan::OverdampedPlan(const Layout& layout, const RunSettings& requested, const std::string& source,
-                               const Communicator& ranks)
-    : communicator(ranks) {
-  settings = requested;
-  OverdampedSetup setup = overdamped_setup(layout, *mobility_model(requested.model), requested.mobility,
-                                           requested.frames_per_cycle, source);
-  scene = std::move(setup.scene);
-  units = setup.units;
-  kinematic_viscosity = layout.fluid.kinematic_viscosity / (units.length * units.velocity());
-  swimmers = scene.swimmers;
-  if (const auto& half_space = layout.domain.half_space)
-    height_at_rest = smallest_relative_height(placed_beads(layout), *half_space);
-  base_period = setup.base_period;
-  steps_per_cycle = setup.steps_per_cycle;
-  time_step = scene.step * units.time;
-  for (const SwimmerType& type : scene.types) {
-    periods.push_back(type.driving.period / scene.step);
-    std::vector<double>& of_type = radii.emplace_back();
-    for (const Bead& bead : type.beads) of_type.push_back(bead.radius * units.length);
+struct OverdampedPlan : ModelPlan {
+  OverdampedPlan(const Layout& layout, const RunSettings& requested, const std::string& source,
+                 const Communicator& ranks)
+      : communicator(ranks) {
+    settings = requested;
+    OverdampedSetup setup = overdamped_setup(layout, *mobility_model(requested.model), requested.mobility,
+                                             requested.frames_per_cycle, source);
+    scene = std::move(setup.scene);
+    units = setup.units;
+    kinematic_viscosity = layout.fluid.kinematic_viscosity / (units.length * units.velocity());
+    swimmers = scene.swimmers;
+    if (const auto& half_space = layout.domain.half_space)
+      height_at_rest = smallest_relative_height(placed_beads(layout), *half_space);
+    base_period = setup.base_period;
+    steps_per_cycle = setup.steps_per_cycle;
+    time_step = scene.step * units.time;
+    for (const SwimmerType& type : scene.types) {
+      periods.push_back(type.driving.period / scene.step);
+      std::vector<double>& of_type = radii.emplace_back();
+      for (const Bead& bead : type.beads) of_type.push_back(bead.radius * units.length);
+    }
+    if (scene.memory && !layout.domain.box)
+      warnings.push_back(
+          {"periodic-cube",
+           fmt::format("the model unsteady replaces open space by a periodic cube of edge {:.6g}; its images "
+                       "change the velocity of a lone swimmer by some 0.2 %",
+                       scene.box->lengths[0] * units.length)});
+    announcement = fmt::format(
+        "model {}, {} swimmers in {}, relative tolerance {:.3g} of the bead velocities, {} steps per cycle, "
+        "on {} ranks",
+        to_text(scene.model), swimmers.size(), in_words(layout.domain), scene.tolerance, steps_per_cycle,
+        communicator.size());
   }
-  if (scene.memory && !layout.domain.box)
+
+  std::unique_ptr<Model> make(const std::string& trajectory, long flow_until) const override;
+
+  const Communicator& communicator;
+  OverdampedScene scene;           ///< [units]
+  double kinematic_viscosity = 0;  ///< [units]
+  /// Smallest height of a bead over the wall at rest, relative to its radius; nullopt without half-space.
+  std::optional<double> height_at_rest;
+};
+
+class OverdampedModel : public Model {
+ public:
+  explicit OverdampedModel(const OverdampedPlan& plan)
+      : plan_(plan), bead_ranges_(bead_ranges(plan.scene)), system_(plan.scene, plan.communicator) {}
+
+  void step() override { system_.step(); }
+  long steps_done() const override { return system_.steps_done(); }
+
+  int own_swimmers() const override {
+    const auto [first, last] = system_.own_swimmers();
+    return static_cast<int>(last - first);
+  }
+
+  SwimmerIdentity own_swimmer(int number) const override {
+    const PlacedSwimmer& swimmer = plan_.swimmers[system_.own_swimmers().first + number];
+    return {.id = swimmer.id, .type = swimmer.type};
+  }
+
+  std::vector<Vec3> bead_positions(int number, double ahead) const override {
+    const auto [first, last] = bead_ranges_[system_.own_swimmers().first + number];
+    std::vector<Vec3> positions;
+    for (std::size_t b = first; b < last; ++b) positions.push_back(motion_of(b, ahead).position);
+    return positions;
+  }
+
+  std::vector<SwimmerPose> gather_swimmers(double ahead) const override {
+    std::vector<SwimmerPose> poses;
+    if (!plan_.communicator.is_root()) return poses;
+    for (std::size_t s = 0; s < plan_.swimmers.size(); ++s) {
+      SwimmerPose pose{.id = plan_.swimmers[s].id, .motion = {}};
+      for (std::size_t b = bead_ranges_[s].first; b < bead_ranges_[s].last; ++b)
+        pose.motion.push_back(motion_of(b, ahead));
+      poses.push_back(pose);
+    }
+    return poses;
+  }
+
+  // Without inertia, momentum is not defined and the mean flow is zero. With inertia, all is at rest at
+  // first.
+  ModelTotals first_totals() const override {
+    if (!plan_.scene.memory) return {};
+    return {.momentum = Vec3::Zero(), .mean_flow = Vec3::Zero(), .mass_excess = std::nullopt};
+  }
+
+  ModelTotals totals() override {
+    if (!plan_.scene.memory) return {};
+    return {.momentum = system_.momentum() * plan_.units.momentum(),
+            .mean_flow = system_.mean_flow() * plan_.units.velocity(),
+            .mass_excess = std::nullopt};
+  }
+
+  std::optional<ModelFault> fault() const override {
+    if (!system_.fault()) return std::nullopt;
+    const OverdampedFault& fault = *system_.fault();
+    const bool is_speed = fault.kind == OverdampedFaultKind::speed;
+    return ModelFault{
+        .status = is_speed ? RunStatus::stopped_speed : RunStatus::failed,
+        .message = fmt::format("step {} (cycle {:.3f}): {}", fault.step,
+                               static_cast<double>(fault.step) / static_cast<double>(plan_.steps_per_cycle),
+                               message_of(fault))};
+  }
+
+  void write_flow() override {}
+  void describe(RunRecord& record) const override {
+    const OverdampedState& state = system_.state();
+    record.model = to_text(plan_.scene.model);
+    record.dimensionless =
+        dimensionless_numbers(plan_.scene.types, state.largest_speed, plan_.kinematic_viscosity,
+                              plan_.base_period / plan_.units.time);
+    const std::optional<EwaldPlan>& sums = system_.mobility().plan();
+    const bool is_multipole = has_moment_order(plan_.scene.model);
+    const double length = plan_.units.length;
+    record.mobility = MobilityRecord{
+        .time_step = plan_.time_step,
+        .steps_per_cycle = plan_.steps_per_cycle,
+        .tolerance = plan_.scene.tolerance,
+        .products = state.work.products,
+        .multipole_order = is_multipole ? std::optional(plan_.scene.moment_order) : std::nullopt,
+        .reynolds_stress =
+            plan_.scene.memory ? std::optional(plan_.scene.memory->has_reynolds_stress) : std::nullopt,
+        .iterations = is_multipole ? std::optional<std::int64_t>(state.work.iterations) : std::nullopt,
+        .residual = is_multipole ? std::optional(state.work.residual) : std::nullopt,
+        .cut_off = sums ? std::optional(sums->cutoff * length) : std::nullopt,
+        .mesh_spacing = sums ? std::optional(sums->spacing * length) : std::nullopt,
+        .smallest_gap =
+            std::isfinite(state.smallest_gap) ? std::optional(state.smallest_gap * length) : std::nullopt};
+    if (system_.fault()) return;
+    Sha256 hash;
+    std::vector<Vec3> positions;  // [length]
+    for (const Vec3& position : system_.positions()) positions.push_back(position * length);
+    hash.update(std::as_bytes(std::span(positions)));
+    record.state_sha256 = hash.hexadecimal();
+  }
+
+  std::vector<RunWarning> warnings() const override {
+    std::vector<RunWarning> warnings;
+    if (plan_.height_at_rest && !system_.fault()) {
+      const MobilitySettings& settings = plan_.settings.mobility;
+      const auto error_at = [&](double height) {
+        return error_near_wall(height, plan_.scene.model, settings);
+      };
+      constexpr double notable = 0.01;
+      const double height = system_.state().smallest_relative_height, error = error_at(height);
+      const bool is_best =
+          has_moment_order(plan_.scene.model) && settings.multipole_order == max_moment_order;
+      if (error > error_at(*plan_.height_at_rest) + notable)
+        warnings.push_back(
+            {"wall-approach",
+             fmt::format("the height of a bead over the wall fell to {:.3g} radii, where its mobility has an "
+                         "error of up to {}; an expected error is for the height of {:.3g} radii at rest; "
+                         "compare this run with {}",
+                         height, in_percent(error), *plan_.height_at_rest,
+                         is_best
+                             ? lattice_over_wall()
+                             : fmt::format("{} multipole {} 2", Setting::model, Setting::multipole_order))});
+    }
+    const double gap = system_.state().smallest_gap * plan_.units.length;
+    if (!std::isfinite(gap)) return warnings;
+    const bool is_over_wall = plan_.scene.half_space.has_value();
+    const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
     warnings.push_back(
-        {"periodic-cube",
-         fmt::format("the model unsteady replaces open space by a periodic cube of edge {:.6g}; its images "
-                     "change the velocity of a lone swimmer by some 0.2 %",
-                     scene.box->lengths[0] * units.length)});
-  announcement = fmt::format(
-      "model {}, {} swimmers in {}, relative tolerance {:.3g} of the bead velocities, {} steps per cycle, "
-      "on {} ranks",
-      to_text(scene.model), swimmers.size(), in_words(layout.domain), scene.tolerance, steps_per_cycle,
-      communicator.size());
-}
+        {"repulsion",
+         fmt::format(
+             "beads came within a gap of {:.3g} of each other or of a wall and were repelled; {}; "
+             "compare this run with {}",
+             gap,
+             knows_films
+                 ? "this repulsion is artificial and not a physical force"
+                 : "the model of this run neglects lubrication by the fluid film between close surfaces",
+             is_over_wall ? lattice_over_wall() : fmt::format("a run by {} lbm", Setting::model))});
+    return warnings;
+  }
+
+  void write_history(OutgoingMessage& history) const override { history(system_.state()); }
+
+  void write_state(CheckpointWriter& checkpoint) override {
+    OutgoingMessage message;
+    if (plan_.communicator.is_root())
+      OverdampedState::visit_bead_fields([&](const char*, const auto& lists) { message(lists); },
+                                         system_.state());
+    checkpoint.add(beads_section, message.bytes());
+    if (!plan_.scene.memory) return;
+    OutgoingMessage memory;
+    memory(system_.gather_memory());
+    checkpoint.add(memory_section, memory.bytes());
+  }
+
+  void restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) override {
+    OverdampedState state;
+    state.steps_done = steps_done;
+    history(state);
+    IncomingMessage message(checkpoint.bytes(beads_section));
+    OverdampedState::visit_bead_fields([&](const char*, auto& lists) { message(lists); }, state);
+    if (!message.is_at_end()) refuse_other_version(checkpoint);
+    system_.restore(std::move(state));
+    if (!plan_.scene.memory) return;
+    IncomingMessage bytes(checkpoint.bytes(memory_section));
+    std::vector<double> memory;
+    bytes(memory);
+    system_.restore_memory(memory);
+  }
+
+ private:
+  BeadMotion motion_of(std::size_t bead, double ahead) const {
+    const OverdampedState& state = system_.state();
+    const double time = ahead * plan_.scene.step;
+    const Vec3& velocity = state.velocities[0][bead];
+    const Vec3 gained = velocity - state.velocities[1][bead];  // change in the last step
+    BeadMotion motion;
+    motion.position = state.positions[0][bead] + time * (velocity + 0.5 * ahead * gained);
+    motion.velocity = velocity + ahead * gained;
+    return motion;
+  }
+
+  std::string message_of(const OverdampedFault& fault) const {
+    const Vec3 p = fault.position * plan_.units.length;
+    const std::string place =
+        fmt::format("of swimmer {} at ({:.6g}, {:.6g}, {:.6g})", fault.swimmer, p[0], p[1], p[2]);
+    const std::string other_model =
+        plan_.scene.model == MobilityModel::oseen
+            ? fmt::format(", or use {} rpy, which is also stable for close beads", Setting::model)
+            : "";
+    switch (fault.kind) {
+      case OverdampedFaultKind::torn_arm:
+        return fmt::format(
+            "arm {} {} is torn: its length is {:.3g} times the rest length, above the limit of 2 times; use "
+            "weaker driving or stiffer springs",
+            fault.bead, place, fault.value);
+      case OverdampedFaultKind::speed:
+        return fmt::format(
+            "bead {} {} moves {:.3g} radii per step, above the limit of 1; increase {}, or reduce the "
+            "driving "
+            "amplitude{}",
+            fault.bead, place, fault.value, Setting::steps_per_cycle, other_model);
+      case OverdampedFaultKind::wall:
+        return fmt::format(
+            "bead {} {} lies {:.3g} beyond a wall; increase {}, reduce the driving amplitude, or enlarge the "
+            "box",
+            fault.bead, place, fault.value * plan_.units.length, Setting::steps_per_cycle);
+      case OverdampedFaultKind::no_slip_wall:
+        return fmt::format(
+            "bead {} {} overlaps the wall by {:.3g} radii; increase {}, or reduce the driving amplitude",
+            fault.bead, place, fault.value, Setting::steps_per_cycle);
+      case OverdampedFaultKind::not_positive:
+        return fmt::format(
+            "the mobility is not positive definite any more: forces would move beads backwards, most of all "
+            "bead {} {}, because beads are too close to each other or to a wall; use {} rpy",
+            fault.bead, place, Setting::model);
+      case OverdampedFaultKind::not_converged:
+        return fmt::format(
+            "the solver for the velocities and forces of a step did not converge; increase {}, or reduce the "
+            "driving amplitude or the damping{}",
+            Setting::steps_per_cycle, other_model);
+      case OverdampedFaultKind::not_finite:
+        return fmt::format(
+            "the position of bead {} {} is non-finite; increase {}, or reduce the driving amplitude{}",
+            fault.bead, place, Setting::steps_per_cycle, other_model);
+    }
+    return "a fault of unknown kind was found; this is a fault of the program, please report it";
+  }
+
+  const OverdampedPlan& plan_;
+  std::vector<BeadRange> bead_ranges_;
+  OverdampedSystem system_;
+};
 
 std::unique_ptr<Model> OverdampedPlan::make(const std::string&, long) const {
   return std::make_unique<OverdampedModel>(*this);
 }
 
-OverdampedModel::OverdampedModel(const OverdampedPlan& plan)
-    : plan_(plan), bead_ranges_(beadswim::bead_ranges(plan.scene)), system_(plan.scene, plan.communicator) {}
+}  // namespace
 
-int OverdampedModel::own_swimmers() const {
-  const auto [first, last] = system_.own_swimmers();
-  return static_cast<int>(last - first);
-}
-
-SwimmerIdentity OverdampedModel::own_swimmer(int number) const {
-  const PlacedSwimmer& swimmer = plan_.swimmers[system_.own_swimmers().first + number];
-  return {.id = swimmer.id, .type = swimmer.type};
-}
-
-BeadMotion OverdampedModel::motion_of(std::size_t bead, double ahead) const {
-  const OverdampedState& state = system_.state();
-  const double time = ahead * plan_.scene.step;
-  const Vec3& velocity = state.velocities[0][bead];
-  const Vec3 gained = velocity - state.velocities[1][bead];  // change in the last step
-  BeadMotion motion;
-  motion.position = state.positions[0][bead] + time * (velocity + 0.5 * ahead * gained);
-  motion.velocity = velocity + ahead * gained;
-  return motion;
-}
-
-std::vector<Vec3> OverdampedModel::bead_positions(int number, double ahead) const {
-  const auto [first, last] = bead_ranges_[system_.own_swimmers().first + number];
-  std::vector<Vec3> positions;
-  for (std::size_t b = first; b < last; ++b) positions.push_back(motion_of(b, ahead).position);
-  return positions;
-}
-
-std::vector<SwimmerPose> OverdampedModel::gather_swimmers(double ahead) const {
-  std::vector<SwimmerPose> poses;
-  if (!plan_.communicator.is_root()) return poses;
-  for (std::size_t s = 0; s < plan_.swimmers.size(); ++s) {
-    SwimmerPose pose{.id = plan_.swimmers[s].id, .motion = {}};
-    for (std::size_t b = bead_ranges_[s].first; b < bead_ranges_[s].last; ++b)
-      pose.motion.push_back(motion_of(b, ahead));
-    poses.push_back(pose);
-  }
-  return poses;
-}
-
-// Without inertia, momentum is not defined and the mean flow is zero. With inertia, all is at rest at first.
-ModelTotals OverdampedModel::first_totals() const {
-  if (!plan_.scene.memory) return {};
-  return {.momentum = Vec3::Zero(), .mean_flow = Vec3::Zero(), .mass_excess = std::nullopt};
-}
-
-ModelTotals OverdampedModel::totals() {
-  if (!plan_.scene.memory) return {};
-  return {.momentum = system_.momentum() * plan_.units.momentum(),
-          .mean_flow = system_.mean_flow() * plan_.units.velocity(),
-          .mass_excess = std::nullopt};
-}
-
-std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
-  const Vec3 p = fault.position * plan_.units.length;
-  const std::string place =
-      fmt::format("of swimmer {} at ({:.6g}, {:.6g}, {:.6g})", fault.swimmer, p[0], p[1], p[2]);
-  const std::string other_model =
-      plan_.scene.model == MobilityModel::oseen
-          ? fmt::format(", or use {} rpy, which is also stable for close beads", Setting::model)
-          : "";
-  switch (fault.kind) {
-    case OverdampedFaultKind::torn_arm:
-      return fmt::format(
-          "arm {} {} is torn: its length is {:.3g} times the rest length, above the limit of 2 times; use "
-          "weaker driving or stiffer springs",
-          fault.bead, place, fault.value);
-    case OverdampedFaultKind::speed:
-      return fmt::format(
-          "bead {} {} moves {:.3g} radii per step, above the limit of 1; increase {}, or reduce the driving "
-          "amplitude{}",
-          fault.bead, place, fault.value, Setting::steps_per_cycle, other_model);
-    case OverdampedFaultKind::wall:
-      return fmt::format(
-          "bead {} {} lies {:.3g} beyond a wall; increase {}, reduce the driving amplitude, or enlarge the "
-          "box",
-          fault.bead, place, fault.value * plan_.units.length, Setting::steps_per_cycle);
-    case OverdampedFaultKind::no_slip_wall:
-      return fmt::format(
-          "bead {} {} overlaps the wall by {:.3g} radii; increase {}, or reduce the driving amplitude",
-          fault.bead, place, fault.value, Setting::steps_per_cycle);
-    case OverdampedFaultKind::not_positive:
-      return fmt::format(
-          "the mobility is not positive definite any more: forces would move beads backwards, most of all "
-          "bead {} {}, because beads are too close to each other or to a wall; use {} rpy",
-          fault.bead, place, Setting::model);
-    case OverdampedFaultKind::not_converged:
-      return fmt::format(
-          "the solver for the velocities and forces of a step did not converge; increase {}, or reduce the "
-          "driving amplitude or the damping{}",
-          Setting::steps_per_cycle, other_model);
-    case OverdampedFaultKind::not_finite:
-      return fmt::format(
-          "the position of bead {} {} is non-finite; increase {}, or reduce the driving amplitude{}",
-          fault.bead, place, Setting::steps_per_cycle, other_model);
-  }
-  return "a fault of unknown kind was found; this is a fault of the program, please report it";
-}
-
-std::optional<ModelFault> OverdampedModel::fault() const {
-  if (!system_.fault()) return std::nullopt;
-  const OverdampedFault& fault = *system_.fault();
-  const bool is_speed = fault.kind == OverdampedFaultKind::speed;
-  return ModelFault{
-      .status = is_speed ? RunStatus::stopped_speed : RunStatus::failed,
-      .message = fmt::format("step {} (cycle {:.3f}): {}", fault.step,
-                             static_cast<double>(fault.step) / static_cast<double>(plan_.steps_per_cycle),
-                             message_of(fault))};
-}
-
-void OverdampedModel::describe(RunRecord& record) const {
-  const OverdampedState& state = system_.state();
-  record.model = to_text(plan_.scene.model);
-  record.dimensionless =
-      dimensionless_numbers(plan_.scene.types, state.largest_speed, plan_.kinematic_viscosity,
-                            plan_.base_period / plan_.units.time);
-  const std::optional<EwaldPlan>& sums = system_.mobility().plan();
-  const bool is_multipole = has_moment_order(plan_.scene.model);
-  const double length = plan_.units.length;
-  record.mobility = MobilityRecord{
-      .time_step = plan_.time_step,
-      .steps_per_cycle = plan_.steps_per_cycle,
-      .tolerance = plan_.scene.tolerance,
-      .products = state.work.products,
-      .multipole_order = is_multipole ? std::optional(plan_.scene.moment_order) : std::nullopt,
-      .reynolds_stress =
-          plan_.scene.memory ? std::optional(plan_.scene.memory->has_reynolds_stress) : std::nullopt,
-      .iterations = is_multipole ? std::optional<std::int64_t>(state.work.iterations) : std::nullopt,
-      .residual = is_multipole ? std::optional(state.work.residual) : std::nullopt,
-      .cut_off = sums ? std::optional(sums->cutoff * length) : std::nullopt,
-      .mesh_spacing = sums ? std::optional(sums->spacing * length) : std::nullopt,
-      .smallest_gap =
-          std::isfinite(state.smallest_gap) ? std::optional(state.smallest_gap * length) : std::nullopt};
-  if (system_.fault()) return;
-  Sha256 hash;
-  std::vector<Vec3> positions;  // [length]
-  for (const Vec3& position : system_.positions()) positions.push_back(position * length);
-  hash.update(std::as_bytes(std::span(positions)));
-  record.state_sha256 = hash.hexadecimal();
-}
-
-std::vector<RunWarning> OverdampedModel::warnings() const {
-  std::vector<RunWarning> warnings;
-  if (plan_.height_at_rest && !system_.fault()) {
-    const MobilitySettings& settings = plan_.settings.mobility;
-    const auto error_at = [&](double height) { return error_near_wall(height, plan_.scene.model, settings); };
-    constexpr double notable = 0.01;
-    const double height = system_.state().smallest_relative_height, error = error_at(height);
-    const bool is_best = has_moment_order(plan_.scene.model) && settings.multipole_order == max_moment_order;
-    if (error > error_at(*plan_.height_at_rest) + notable)
-      warnings.push_back(
-          {"wall-approach",
-           fmt::format("the height of a bead over the wall fell to {:.3g} radii, where its mobility has an "
-                       "error of up to {}; an expected error is for the height of {:.3g} radii at rest; "
-                       "compare this run with {}",
-                       height, in_percent(error), *plan_.height_at_rest,
-                       is_best
-                           ? lattice_over_wall()
-                           : fmt::format("{} multipole {} 2", Setting::model, Setting::multipole_order))});
-  }
-  const double gap = system_.state().smallest_gap * plan_.units.length;
-  if (!std::isfinite(gap)) return warnings;
-  const bool is_over_wall = plan_.scene.half_space.has_value();
-  const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
-  warnings.push_back(
-      {"repulsion",
-       fmt::format(
-           "beads came within a gap of {:.3g} of each other or of a wall and were repelled; {}; "
-           "compare this run with {}",
-           gap,
-           knows_films
-               ? "this repulsion is artificial and not a physical force"
-               : "the model of this run neglects lubrication by the fluid film between close surfaces",
-           is_over_wall ? lattice_over_wall() : fmt::format("a run by {} lbm", Setting::model))});
-  return warnings;
-}
-
-void OverdampedModel::write_history(OutgoingMessage& history) const {
-  history(system_.state());
-}
-
-void OverdampedModel::write_state(CheckpointWriter& checkpoint) {
-  OutgoingMessage message;
-  if (plan_.communicator.is_root())
-    OverdampedState::visit_bead_fields([&](const char*, const auto& lists) { message(lists); },
-                                       system_.state());
-  checkpoint.add(beads_section, message.bytes());
-  if (!plan_.scene.memory) return;
-  OutgoingMessage memory;
-  memory(system_.gather_memory());
-  checkpoint.add(memory_section, memory.bytes());
-}
-
-void OverdampedModel::restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) {
-  OverdampedState state;
-  state.steps_done = steps_done;
-  history(state);
-  IncomingMessage message(checkpoint.bytes(beads_section));
-  OverdampedState::visit_bead_fields([&](const char*, auto& lists) { message(lists); }, state);
-  if (!message.is_at_end()) refuse_other_version(checkpoint);
-  system_.restore(std::move(state));
-  if (!plan_.scene.memory) return;
-  IncomingMessage bytes(checkpoint.bytes(memory_section));
-  std::vector<double> memory;
-  bytes(memory);
-  system_.restore_memory(memory);
+std::unique_ptr<ModelPlan> overdamped_plan(const Layout& layout, const RunSettings& requested,
+                                           const std::string& source, const Communicator& communicator) {
+  return std::make_unique<OverdampedPlan>(layout, requested, source, communicator);
 }
 
 }  // namespace beadswim

@@ -1,4 +1,4 @@
-#include "record/record.hpp"
+#include "run_parts.hpp"
 
 #include <sys/resource.h>
 
@@ -95,9 +95,9 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
   }
   if (!parts.recorder.swarm().empty() || record.swimmers.empty()) record.swarm = parts.recorder.swarm();
   add_conservation(record, parts.model.first_totals(), outcome.last_totals);
-  record.cost = RunCost{.wall_seconds = outcome.wall_seconds,
-                        .core_seconds = outcome.core_seconds,
-                        .cycles = static_cast<double>(parts.model.steps_done()) /
+  record.cost = RunCost{.wall_seconds = outcome.history.wall_seconds,
+                        .core_seconds = outcome.history.core_seconds,
+                        .cycles = static_cast<double>(outcome.history.steps_done) /
                                   static_cast<double>(parts.plan.steps_per_cycle),
                         .ranks = parts.communicator.size(),
                         .cell_updates = std::nullopt,

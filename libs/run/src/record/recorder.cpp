@@ -62,8 +62,8 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
       towing_method_(towing_method(plan.settings.model)),
       pairs_(plan.settings.model == RunModel::oseen ? oseen_pairs : rotne_prager_tensor),
       trajectory_(trajectory),
-      schedules_(plan.periods, frames_per_cycle_),
       widest_cycle_(widest_cycle(layout)) {
+  for (const double period : plan.periods) schedules_.emplace_back(period, frames_per_cycle_);
   if (!communicator.is_root()) return;
   const Swarm swarm = placed_swimmers(layout);
   for (std::size_t s = 0; s < swarm.swimmers.size(); ++s) {
@@ -78,7 +78,7 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
                                 .period = period == plan.base_period ? std::nullopt : std::optional(period)},
                      .type = type,
                      .initial_orientation = swarm.swimmers[s].orientation,
-                     .samples_per_cycle = schedules_.of(plan.swimmers[s].type).per_cycle(),
+                     .samples_per_cycle = schedules_[plan.swimmers[s].type].per_cycle(),
                      .samples = {}});
   }
 }
@@ -99,11 +99,11 @@ long Recorder::step_of_frame(long frame) const {
 
 void Recorder::sample(const Model& model) {
   const long step = model.steps_done();
-  if (!schedules_.is_any_due(step)) return;
+  if (step != next_sample_) return;
   for (int swimmer = 0; swimmer < model.own_swimmers(); ++swimmer) {
     const SwimmerIdentity name = model.own_swimmer(swimmer);
-    if (!schedules_.is_due(name.type, step)) continue;
-    const SamplingSchedule& schedule = schedules_.of(name.type);
+    const SamplingSchedule& schedule = schedules_[name.type];
+    if (schedule.next_step() != step) continue;
     const long number = schedule.number_at(step);
     // The end of a cycle is sampled at its exact time, which can differ from the time of this step by up to
     // half a time step.
@@ -116,7 +116,15 @@ void Recorder::sample(const Model& model) {
         .positions = model.bead_positions(swimmer, time - static_cast<double>(step))};
     pending_samples_(position_sample);
   }
-  schedules_.advance_to(step + 1);
+  advance_schedules(step + 1);
+}
+
+void Recorder::advance_schedules(long step) {
+  next_sample_ = std::numeric_limits<long>::max();
+  for (SamplingSchedule& schedule : schedules_) {
+    schedule.advance_to(step);
+    next_sample_ = std::min(next_sample_, schedule.next_step());
+  }
 }
 
 void Recorder::gather_samples() {
@@ -303,7 +311,7 @@ bool Recorder::is_consistent_with(long steps_done) const {
 }
 
 void Recorder::restore(std::vector<char> state, long steps_done) {
-  schedules_.advance_to(steps_done + 1);
+  advance_schedules(steps_done + 1);
   if (communicator_.is_root()) {
     IncomingMessage message(std::move(state));
     try {

@@ -88,6 +88,7 @@ class Recorder {
 
   /// Returns true if the restored frames and samples are possible after `steps_done` time steps.
   bool is_consistent_with(long steps_done) const;
+  void advance_schedules(long step);  ///< skips samples that are due before `step`
   void gather_samples();
   void store_samples(const FlowSample& now);
   void store_sample(SwimmerLog& log, const PositionSample& position_sample, const FlowSample& now);
@@ -117,7 +118,8 @@ class Recorder {
   const Method& towing_method_;  ///< method of theory for the drag of a towed three-bead swimmer
   PairTensorLaw pairs_;          ///< mobility for the drag of another towed swimmer
   TrajectoryWriter* trajectory_;
-  SamplingSchedules schedules_;
+  std::vector<SamplingSchedule> schedules_;  ///< of each type
+  long next_sample_ = 0;                     ///< step of the next sample of any type
   long next_frame_ = 0;
   OutgoingMessage pending_samples_;  ///< samples of this rank that were not yet sent to rank 0
 

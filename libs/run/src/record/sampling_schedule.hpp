@@ -1,44 +1,42 @@
 #pragma once
 
-#include <span>
-#include <vector>
+#include <algorithm>
+#include <cmath>
 
 namespace beadswim {
 
-/// Sampling times of a swimmer: sample k is taken at the time step nearest to k/per_cycle() driving periods.
+/// Sampling times of the swimmers of one type: sample k is taken at the time step nearest to k/per_cycle()
+/// driving periods.
 class SamplingSchedule {
  public:
   /// `period`: driving period [step]. The schedule has at most `max_per_cycle` samples per period, and at
-  /// most one sample per time step.
-  SamplingSchedule(double period, int max_per_cycle);
+  /// most one sample per time step. A period that is an integer but for rounding errors is rounded, so that
+  /// samples of swimmers with the base period are taken exactly at frames.
+  SamplingSchedule(double period, int max_per_cycle) {
+    const double whole = std::round(period);
+    const double steps = std::abs(period - whole) < 1e-9 * period ? whole : period;
+    per_cycle_ = static_cast<int>(std::min<double>(max_per_cycle, std::floor(steps)));
+    interval_ = steps / per_cycle_;
+  }
 
   int per_cycle() const { return per_cycle_; }
-  long number_at(long step) const;       ///< number of the sample nearest to a step
-  double time_of(long number) const;     ///< exact time of a sample [step]
-  long first_due_from(long step) const;  ///< step of the first sample at or after `step`
+  long next_step() const { return next_step_; }  ///< step of the next sample
+  /// Returns the number of the sample nearest to a step.
+  long number_at(long step) const { return std::lround(static_cast<double>(step) / interval_); }
+  /// Returns the exact time of a sample [step].
+  double time_of(long number) const { return static_cast<double>(number) * interval_; }
+
+  /// Skips samples that are due before `step`, which must not be smaller than in the last call.
+  void advance_to(long step) {
+    if (next_step_ >= step) return;
+    const long number = number_at(step), nearest = std::lround(time_of(number));
+    next_step_ = nearest >= step ? nearest : std::lround(time_of(number + 1));
+  }
 
  private:
-  int per_cycle_;
-  double interval_;  ///< [step]
-};
-
-/// Sampling times for each swimmer type. The caller must query the steps of a run in ascending order.
-class SamplingSchedules {
- public:
-  SamplingSchedules(std::span<const double> periods, int max_per_cycle);
-
-  const SamplingSchedule& of(int type) const { return types_[type].schedule; }
-  bool is_any_due(long step) const { return step == next_step_; }
-  bool is_due(int type, long step) const { return types_[type].next_step == step; }
-  void advance_to(long step);  ///< skips samples that are due before `step`
-
- private:
-  struct Type {
-    SamplingSchedule schedule;
-    long next_step = 0;
-  };
-  std::vector<Type> types_;
-  long next_step_ = 0;  ///< smallest next_step of all types
+  int per_cycle_ = 1;
+  double interval_ = 1;  ///< [step]
+  long next_step_ = 0;
 };
 
 }  // namespace beadswim

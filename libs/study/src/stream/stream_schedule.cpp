@@ -7,7 +7,7 @@
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/documents/layout_document.hpp"
-#include "beadswim/run/reason_against.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/run/run_length.hpp"
 
 namespace beadswim {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "beadswim/core/fields.hpp"
 
@@ -20,6 +23,13 @@ struct ErrorEstimate {
     visit("arm_amplitudes", error.arm_amplitudes);
   }
 };
+
+/// Returns a relative error as text in per cent: two digits below 100 %, no decimals above, and "more than
+/// 1000 %" for larger values.
+inline std::string in_percent(double share) {
+  if (share > 10) return "more than 1000 %";
+  return share < 1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
+}
 
 /// Limits of the relative errors that are expected in a run, by cause: the largest of all its swimmers.
 struct ExpectedErrors {

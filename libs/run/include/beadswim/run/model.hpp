@@ -123,10 +123,6 @@ struct ModelPlan {
   long whole_steps(long steps) const { return round_up_to_multiple(steps, step_multiple); }
   /// Returns the number of steps of a run of `cycles` base cycles.
   long steps_in(double cycles) const { return whole_steps(total_steps(cycles, steps_per_cycle)); }
-  /// Returns the number of steps between outputs that are `cycles` base cycles apart.
-  long steps_between_outputs(double cycles) const {
-    return whole_steps(steps_between(cycles, steps_per_cycle));
-  }
 
   RunSettings settings;                    ///< settings of the run, completed by the plan
   UnitScales units;                        ///< of the model, in the units of the layout

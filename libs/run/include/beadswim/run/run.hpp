@@ -32,9 +32,6 @@ struct RunTask {
   std::string trajectory{};  ///< path; empty: no trajectory, checkpoint or flow field is written
   /// Checkpoint from which the run continues; nullptr: the run begins at time 0.
   std::unique_ptr<CheckpointReader> checkpoint{};
-
-  /// Returns true if the run writes to the trajectory of the earlier run that it continues.
-  bool continues_same_trajectory() const;
 };
 
 /// Status and reason with which a run stops early without a fault.
@@ -42,6 +39,9 @@ struct StopRequest {
   RunStatus status = RunStatus::stopped_signal;
   std::string reason;
 };
+
+/// Returns the request to stop after a signal to this process; nullopt if `signal` is 0.
+std::optional<StopRequest> stop_by_signal(int signal);
 
 /// Functions that a run calls, each of which may be empty.
 struct RunSinks {

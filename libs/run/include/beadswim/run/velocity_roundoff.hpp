@@ -15,7 +15,4 @@ namespace beadswim {
 /// are ignored.
 double velocity_roundoff(const CoupledScene& scene, long steps_per_period, long steps);
 
-/// Largest relative error of a swimmer's velocity by roundoff for which a run prints no warning [1].
-constexpr double tolerated_roundoff = 0.002;
-
 }  // namespace beadswim
