@@ -1,4 +1,4 @@
-#include "beadswim/plan/lattice_speed_cache.hpp"
+#include "beadswim/plan/lattice_speed.hpp"
 
 #include <cmath>
 #include <optional>

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "beadswim/plan/representatives.hpp"
-#include "beadswim/plan/sufficient_box.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "three_bead_types.hpp"

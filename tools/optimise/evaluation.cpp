@@ -7,7 +7,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/documents/swimming_document.hpp"
-#include "beadswim/plan/expected_errors.hpp"
+#include "beadswim/plan/run_plan.hpp"
 #include "beadswim/core/reason_against.hpp"
 #include "beadswim/run/run.hpp"
 #include "beadswim/theory/methods.hpp"

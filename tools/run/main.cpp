@@ -8,7 +8,7 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/rank_failure.hpp"
-#include "beadswim/plan/plan_report.hpp"
+#include "beadswim/plan/run_plan.hpp"
 #include "beadswim/run/checkpoints.hpp"
 #include "one_run.hpp"
 #include "request.hpp"

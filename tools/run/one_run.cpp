@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include "beadswim/core/rank_failure.hpp"
-#include "beadswim/plan/expected_errors.hpp"
-#include "beadswim/plan/lattice_speed_cache.hpp"
+#include "beadswim/plan/run_plan.hpp"
+#include "beadswim/plan/lattice_speed.hpp"
 #include "beadswim/run/checkpoints.hpp"
 #include "beadswim/tools/stop_signal.hpp"
 

@@ -13,13 +13,7 @@ Prediction predicted(const char* method, const Question& question) {
   return predict(find_method(method), question);
 }
 
-/// Velocity [length/time] and arm amplitudes [length] of a swimmer.
-struct SwimmerMotion {
-  double velocity = 0;
-  std::array<double, 2> arm_amplitudes{};
-};
-
-SwimmerMotion motion_of(const Prediction& prediction) {
+PredictedMotion motion_of(const Prediction& prediction) {
   const std::vector<double>& arms = prediction.stroke.amplitude;
   return {.velocity = prediction.velocity, .arm_amplitudes = {arms[0], arms[1]}};
 }
@@ -30,11 +24,11 @@ SwimmerMotion motion_of(const Prediction& prediction) {
 ///   velocity   v_RP,box + (v_model - v_RP) A_box/A
 ///   amplitude  d_RP,box d_model/d_RP
 /// A = d_1 d_2 sin(beta) is the stroke area by RP, with the arm amplitudes d_1, d_2 and the phase shift beta.
-SwimmerMotion motion_in_box(const Question& question, const char* method_in_open_space) {
+PredictedMotion motion_in_box(const Question& question, const char* method_in_open_space) {
   const Prediction pairs_in_box = predicted("rpy-box-ode", question);
   const Prediction pairs = predicted("rpy-ode", question), model = predicted(method_in_open_space, question);
   const double area = pairs.stroke.area() != 0 ? pairs_in_box.stroke.area() / pairs.stroke.area() : 1;
-  SwimmerMotion motion = motion_of(pairs_in_box);
+  PredictedMotion motion = motion_of(pairs_in_box);
   motion.velocity += (model.velocity - pairs.velocity) * area;
   for (int arm = 0; arm < 2; ++arm) {
     if (pairs.stroke.amplitude[arm] > 0)
@@ -72,14 +66,6 @@ ErrorEstimate sum(const ErrorEstimate& a, const ErrorEstimate& b) {
 
 double relative(double value, double reference) {
   return reference != 0 ? std::abs(value / reference - 1) : 0;
-}
-
-ErrorEstimate difference(const SwimmerMotion& motion, const BestPrediction& best) {
-  ErrorEstimate change;
-  if (best.is_swimming) change.velocity = relative(motion.velocity, best.velocity);
-  for (int arm = 0; arm < 2; ++arm)
-    change.arm_amplitudes[arm] = relative(motion.arm_amplitudes[arm], best.arm_amplitudes[arm]);
-  return change;
 }
 
 ErrorEstimate combined(const ErrorEstimate& a, const ErrorEstimate& b) {
@@ -168,9 +154,7 @@ ErrorEstimate scaled(double factor, ErrorEstimate error) {
 
 BestPrediction best_prediction(const Question& question) {
   const Prediction best = predicted("inertia-corrected", question);
-  BestPrediction known;
-  known.velocity = best.velocity;
-  known.arm_amplitudes = {best.stroke.amplitude[0], best.stroke.amplitude[1]};
+  BestPrediction known{motion_of(best)};
   known.smallest_stroke_gap = smallest_gap_in_stroke(question.swimmer, best);
   known.is_swimming = best.uncertainty.has_value() && best.velocity != 0;
   if (best.stroke_uncertainty) known.uncertainty.arm_amplitudes = best.stroke_uncertainty->arm_amplitudes;
@@ -184,8 +168,12 @@ BestPrediction best_prediction(const Question& question) {
   return known;
 }
 
-ErrorEstimate difference(const BestPrediction& a, const BestPrediction& b) {
-  return difference(SwimmerMotion{.velocity = a.velocity, .arm_amplitudes = a.arm_amplitudes}, b);
+ErrorEstimate difference(const PredictedMotion& motion, const BestPrediction& best) {
+  ErrorEstimate change;
+  if (best.is_swimming) change.velocity = relative(motion.velocity, best.velocity);
+  for (int arm = 0; arm < 2; ++arm)
+    change.arm_amplitudes[arm] = relative(motion.arm_amplitudes[arm], best.arm_amplitudes[arm]);
+  return change;
 }
 
 // The error by time steps of finite length is 3.3e-5 of the velocity with 100 steps per cycle. It is
@@ -242,12 +230,12 @@ ErrorRange mobility_error(const Question& question, const BestPrediction& best, 
   const auto motion_by = [&](const char* method) {
     return question.box ? motion_in_box(question, method) : motion_of(predicted(method, question));
   };
-  const SwimmerMotion motion = motion_by(method_of(model, settings));
+  const PredictedMotion motion = motion_by(method_of(model, settings));
   const ErrorEstimate model_error = difference(motion, best);
   ErrorEstimate step_error;  // by time steps and by truncation
   if (best.is_swimming) step_error.velocity = velocity_error_of_steps(model, settings);
   if (const double truncated = truncation(model, settings); truncated > 0) {
-    const SwimmerMotion pairs = motion_by("rpy-ode");
+    const PredictedMotion pairs = motion_by("rpy-ode");
     if (best.is_swimming)
       step_error.velocity += truncated * std::abs((pairs.velocity - motion.velocity) / best.velocity);
     for (int arm = 0; arm < 2; ++arm) {

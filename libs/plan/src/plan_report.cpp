@@ -1,4 +1,4 @@
-#include "beadswim/plan/plan_report.hpp"
+#include "beadswim/plan/run_plan.hpp"
 
 #include <fmt/ranges.h>
 

@@ -6,12 +6,12 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/plan/lattice_speed.hpp"
-#include "beadswim/core/reason_against.hpp"
 #include "beadswim/run/run_length.hpp"
 #include "beadswim/run/velocity_roundoff.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/mobility/force_moments.hpp"
 #include "beadswim/overdamped/overdamped_setup.hpp"
-#include "beadswim/core/reason_against.hpp"
 #include "beadswim/run/run_length.hpp"
 #include "planned_scene.hpp"
 
@@ -170,10 +170,6 @@ double position_roundoff(const SceneFacts& facts) {
   }
   return largest;
 }
-
-namespace {
-
-}  // namespace
 
 ErrorRange mobility_scene_error(const SceneFacts& facts, MobilityModel model,
                                 const MobilitySettings& settings) {

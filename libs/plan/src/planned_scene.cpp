@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/setting.hpp"
 #include "beadswim/core/reason_against.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/reduce.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
@@ -98,14 +98,6 @@ double growth_of_tilt(const ThreeBeadSwimmer& type, double viscosity) {
 }
 
 }  // namespace
-
-void require_validated(const SceneFacts& facts) {
-  if (facts.unvalidated.empty()) return;
-  throw InputError(
-      fmt::format("error estimates have been validated for the paper's three-bead swimmers only, "
-                  "not for the type \"{}\"; compare runs with different resolutions",
-                  facts.unvalidated));
-}
 
 SceneFacts scene_facts(const Layout& in_layout_units, double cycles) {
   SceneFacts facts;

@@ -34,9 +34,6 @@ struct SceneFacts {
   double height = std::numeric_limits<double>::infinity();
 };
 
-/// Throws InputError if the errors of a type of swimmer have not been validated.
-void require_validated(const SceneFacts& facts);
-
 /// Returns the facts of a layout for a run of `cycles` base cycles.
 SceneFacts scene_facts(const Layout& layout, double cycles);
 

@@ -6,17 +6,77 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <tuple>
 
+#include "beadswim/core/reason_against.hpp"
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/plan/model_errors.hpp"
+#include "beadswim/scene/presets.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
+#include "beadswim/theory/linear_response.hpp"
+#include "beadswim/theory/shaped_swimmer.hpp"
 #include "beadswim/theory/surroundings.hpp"
-#include "stand_in.hpp"
-#include "swimmer_in_box.hpp"
 
 namespace beadswim {
 namespace {
+
+/// Returns the length of the swimmer at rest, including the radii of beads 1 and 3 [length].
+double swimmer_length(const CollinearSwimmer& swimmer) {
+  return swimmer.radius[0] + swimmer.arm[0] + swimmer.arm[1] + swimmer.radius[2];
+}
+
+/// Returns a periodic box with bead 2 at its centre. The first edge is parallel to the swimmer.
+BoxPlace box_place_at_centre(const Vec3& lengths) {
+  return {.box = {.lengths = lengths, .boundary = {}},
+          .middle_bead = {lengths[0] / 2, lengths[1] / 2, lengths[2] / 2}};
+}
+
+constexpr double arms_without_bonds = 10, shortest_arm = 2.5;  // divided by the radius
+constexpr double least_swing = 0.05;                           // relative amplitude of the arms
+
+/// Returns the largest amplitude of a bond, divided by its length; 0 if theory does not know it.
+double largest_swing(const SwimmerType& type, double viscosity) {
+  double largest = 0;
+  reason_against([&] {
+    const ShapedSwimmer swimmer{type, Eigen::Matrix3d::Identity(), viscosity};
+    const ShapeMotion motion = second_order_motion(swimmer, rotne_prager_tensor);
+    for (std::size_t k = 0; k < type.bonds.size(); ++k)
+      largest = std::max(largest, motion.stroke.amplitude[k] / type.bonds[k].rest_length);
+  });
+  return largest;
+}
+
+/// Returns the three-bead swimmer for which errors are estimated instead of a swimmer of another shape. Its
+/// beads have the largest radius a of the type, its arms the mean length of the bonds, at least 2.5 a (10 a
+/// without bonds), its springs gamma omega/k = 1, its driving the period of the type. The driving forces give
+/// its arms the largest relative amplitude of a bond by theory, at least 5 % and at most half the gap between
+/// the beads.
+ThreeBeadSwimmer stand_in(const SwimmerType& type, const Fluid& fluid) {
+  const double viscosity = fluid.dynamic_viscosity();
+  const double radius = std::ranges::max(type.beads, {}, &Bead::radius).radius;
+  double arm = type.bonds.empty() ? arms_without_bonds * radius : 0;
+  for (const Bond& bond : type.bonds) arm += bond.rest_length / static_cast<double>(type.bonds.size());
+  arm = std::max(arm, shortest_arm * radius);
+  const double omega = 2 * std::numbers::pi / type.driving.period;
+  const Bead bead{.radius = radius, .density = type.beads[0].density};
+  const Spring spring{.stiffness = 6 * std::numbers::pi * viscosity * radius * omega, .rest_length = arm};
+  ThreeBeadSwimmer swimmer{.beads = {bead, bead, bead},
+                           .springs = {spring, spring},
+                           .driving = {.amplitude = {1, 1},
+                                       .phase = std::numbers::pi / 2,
+                                       .period = type.driving.period,
+                                       .frame = DrivingFrame::body}};
+  swimmer.angular_stiffness = straightening_stiffness(swimmer);
+  const CollinearSwimmer line = collinear_swimmer(swimmer, Vec3::UnitX(), viscosity);
+  const double by_unit_forces = std::ranges::max(first_order_stroke(line, rotne_prager).amplitude);
+  const double swing =
+      std::min(std::max(largest_swing(type, viscosity), least_swing) * arm, arm / 2 - radius);
+  for (double& amplitude : swimmer.driving.amplitude) amplitude = std::max(swing, 0.0) / by_unit_forces;
+  return swimmer;
+}
 
 /// Returns a periodic box for one swimmer that stands for its part of `box`. Its dimensions are
 ///   volume  about V = (volume of `box`)/swimmers
@@ -111,6 +171,13 @@ std::vector<const Swimmer*> extremes(const Layout& cell, const std::vector<const
   return selected;
 }
 
+Vec3 box_around(const CollinearSwimmer& swimmer, double free_length) {
+  const double radius = *std::ranges::min_element(swimmer.radius);
+  const auto rounded_up = [&](double edge) { return radius * std::ceil(edge / radius - 1e-9); };
+  return {rounded_up(swimmer_length(swimmer) + free_length), rounded_up(free_length),
+          rounded_up(free_length)};
+}
+
 }  // namespace
 
 std::vector<Representative> representatives(const Layout& cell) {
@@ -128,6 +195,22 @@ std::vector<Representative> representatives(const Layout& cell) {
       result.push_back(representative(cell, *swimmer));
   }
   return result;
+}
+
+std::optional<SufficientBox> sufficient_box(const Question& question, double tolerance) {
+  const BestPrediction reference = best_prediction(question);
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const double length = swimmer.arm[0] + swimmer.arm[1];
+  constexpr double factor = 1.2, longest = 20;
+  for (double free_length = 0.5 * length; free_length < longest * length; free_length *= factor) {
+    const Vec3 lengths = box_around(swimmer, free_length);
+    Question boxed = question;
+    boxed.box = box_place_at_centre(lengths);
+    double change = INFINITY;  // stays infinite if the box is too narrow for theory
+    reason_against([&] { change = difference(best_prediction(boxed), reference).largest(); });
+    if (change <= tolerance) return SufficientBox{.lengths = lengths, .change = change};
+  }
+  return std::nullopt;
 }
 
 }  // namespace beadswim

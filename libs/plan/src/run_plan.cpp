@@ -9,11 +9,9 @@
 #include <iterator>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
-#include "beadswim/plan/plan_report.hpp"
-#include "beadswim/plan/sufficient_box.hpp"
-#include "beadswim/core/reason_against.hpp"
 #include "beadswim/scene/check.hpp"
 #include "planned_scene.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "beadswim/core/rank_failure.hpp"
 #include "beadswim/documents/study_text.hpp"
-#include "beadswim/plan/lattice_speed_cache.hpp"
-#include "beadswim/plan/plan_report.hpp"
+#include "beadswim/plan/lattice_speed.hpp"
+#include "beadswim/plan/run_plan.hpp"
 #include "beadswim/study/rank_groups.hpp"
 #include "one_run.hpp"
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/coupling/scene.hpp"
+#include "beadswim/io/json.hpp"
 
 namespace beadswim {
 
@@ -47,5 +50,19 @@ class LatticeSpeed {
   int ranks_ = 1;
   std::vector<PrecisionCost> precisions_;
 };
+
+/// Returns the time of lattice steps on this machine at present. If the same version of the program has
+/// already measured it on the same processor with the same number of ranks, reads the time from the cache
+/// file and corrects it by short measurements. Otherwise measures the time, which takes some seconds and
+/// which `message` announces on rank 0, and writes the cache file: lattice-speed-RANKS.json in
+/// $XDG_CACHE_HOME/beadswim or $HOME/.cache/beadswim. Collective.
+LatticeSpeed speed_of_this_machine(const std::function<void(const std::string&)>& message,
+                                   const Communicator& communicator);
+
+Json lattice_speed_to_json(const LatticeSpeed& speed);
+
+/// Converts JSON that lattice_speed_to_json() has made to a LatticeSpeed. Throws an exception derived from
+/// std::exception if `json` has another form.
+LatticeSpeed lattice_speed_from_json(const Json& json);
 
 }  // namespace beadswim

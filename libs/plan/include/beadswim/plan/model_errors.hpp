@@ -29,12 +29,15 @@ struct ErrorRange {
   }
 };
 
-/// Velocity and arm amplitudes of a swimmer by the most accurate method of theory (inertia-corrected), and
-/// their uncertainty.
-struct BestPrediction {
+/// Velocity and arm amplitudes of a swimmer.
+struct PredictedMotion {
   double velocity = 0;                     ///< [length/time]
   std::array<double, 2> arm_amplitudes{};  ///< [length]
-  ErrorEstimate uncertainty;
+};
+
+/// Motion by the most accurate method of theory (inertia-corrected), and its uncertainty.
+struct BestPrediction : PredictedMotion {
+  ErrorEstimate uncertainty{};
   /// Factor by which errors of lattice runs increase because contributions to the velocity cancel. It is the
   /// velocity of the same stroke in open space without inertia, divided by `velocity`, times (1 + uncertainty
   /// of `velocity`), but at least 1.
@@ -47,8 +50,9 @@ struct BestPrediction {
 /// Throws InputError if the method cannot treat the question, for example because beads touch or overlap.
 BestPrediction best_prediction(const Question& question);
 
-/// Returns the relative differences of `a` from `b`; 0 for a velocity or arm amplitude of `b` that is zero.
-ErrorEstimate difference(const BestPrediction& a, const BestPrediction& b);
+/// Returns the relative differences of a motion from `best`; 0 for a velocity or arm amplitude of `best` that
+/// is zero.
+ErrorEstimate difference(const PredictedMotion& motion, const BestPrediction& best);
 
 /// Returns the relative error of the velocity in a run with a mobility model by its time steps and by the
 /// accuracy of the products of mobility and forces.

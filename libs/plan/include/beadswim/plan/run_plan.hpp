@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/io/json.hpp"
 #include "beadswim/plan/lattice_speed.hpp"
 #include "beadswim/plan/model_errors.hpp"
+#include "beadswim/run/model.hpp"
 #include "beadswim/run/run_settings.hpp"
 #include "beadswim/scene/layout.hpp"
 
@@ -84,5 +86,35 @@ RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::st
 /// the run with the smallest expected error for a plan with advice and without tolerance; otherwise throws
 /// InputError with that run. Throws InputError with the reasons if all runs are refused.
 const PlannedRun& choose_run(const RunPlan& plan);
+
+/// Returns the expected errors of a planned run of the layout. Throws InputError with the reason if the
+/// errors are not known.
+ExpectedErrors expected_errors(const Layout& layout, const ModelPlan& plan);
+
+/// Sets the expected errors of a planned run. Adds a warning if they are larger than `accepted` or not known.
+void add_expected_errors(ModelPlan& plan, const Layout& layout, double accepted);
+
+/// Formats the plan as text. A table lists all possible runs with mobilities, and those lattice runs for
+/// which no cheaper run has a similar or smaller expected error. Below the table, the text states the meaning
+/// of the errors, and lists the impossible runs with their reasons ("refused"), properties of the scene that
+/// make runs inaccurate or impossible ("hard"), and proposed layouts ("propose"). `layout`: file of the
+/// layout, for the commands that make proposed layouts.
+std::string plan_table(const RunPlan& plan, const std::string& layout);
+
+/// Returns the head of the table, two lines. `indent`: begin of both.
+std::string plan_head(const std::string& indent = "");
+
+/// Returns the row of a run in the table. `remark`: end of the row.
+std::string plan_row(const RunPlan& plan, const PlannedRun& run, const std::string& remark);
+
+/// Returns the reasons why runs are refused, each after the settings of such a run. Runs whose reasons differ
+/// only in numbers share one entry.
+std::vector<std::string> refusals(const RunPlan& plan);
+
+/// Returns a size as text, such as "1.2 GB".
+std::string size_text(double bytes);
+
+/// Returns all runs of the plan as a document that follows schemas/plan.schema.json, without provenance.
+Json plan_to_json(const RunPlan& plan, const std::string& layout);
 
 }  // namespace beadswim
