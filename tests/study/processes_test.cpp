@@ -1,4 +1,4 @@
-#include "beadswim/study/processes.hpp"
+#include "beadswim/study/stream.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "beadswim/study/stored_stream.hpp"
+#include "beadswim/study/stream.hpp"
 #include "comparison_inputs.hpp"
 
 namespace beadswim {

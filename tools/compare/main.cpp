@@ -2,7 +2,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/failure_document.hpp"
-#include "beadswim/study/processes.hpp"
+#include "beadswim/study/stream.hpp"
 #include "beadswim/tools/named_flags.hpp"
 #include "comparison_stream.hpp"
 #include "verdict_table.hpp"

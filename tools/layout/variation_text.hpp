@@ -1,6 +1,6 @@
 #pragma once
 
-#include "beadswim/study/variation.hpp"
+#include "beadswim/study/quantity.hpp"
 
 namespace beadswim {
 

@@ -9,7 +9,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/run/run_settings.hpp"
-#include "beadswim/study/processes.hpp"
+#include "beadswim/study/stream.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/tools/named_flags.hpp"
 #include "beadswim/tools/stop_signal.hpp"

@@ -8,7 +8,7 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
-#include "beadswim/study/stored_stream.hpp"
+#include "beadswim/study/stream.hpp"
 #include "options.hpp"
 
 namespace beadswim {

@@ -8,7 +8,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/io/document_stream.hpp"
-#include "beadswim/study/processes.hpp"
+#include "beadswim/study/stream.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/tools/program.hpp"
 #include "predict_layout.hpp"

@@ -18,44 +18,6 @@ using enum QuantityRange;
 constexpr const char* driving_law =
     "Driving: F1 = A sin(2 pi t/T), F3 = B sin(2 pi t/T + alpha), F2 = -(F1 + F3)";
 
-const std::vector<NamedQuantity>& table() {
-  static const std::vector<NamedQuantity> quantities{
-      {"radius", "Beads", "Radius of the beads: one value for all, or one per bead [length]", "R|R1,R2,R3", 3,
-       positive, &Bead::radius},
-      {"arm", "Springs", "Rest length of the springs, between the centres of adjacent beads [length]",
-       "L|L1,L2", 2, positive, &Spring::rest_length},
-      {"stiffness", "Springs", "Stiffness k of the springs, force per extension [mass/time^2]", "K|K1,K2", 2,
-       positive, &Spring::stiffness},
-      {"damping", "Springs",
-       "Damping c of the dashpots parallel to the springs, force per rate of extension [mass/time]",
-       "C|C1,C2", 2, non_negative, &Spring::damping, "the preset's, else 0"},
-      {"angular-stiffness", "Springs",
-       "Stiffness K_A of the angular spring with energy K_A theta^2/2; theta: angle between the arms [mass "
-       "length^2/time^2]",
-       "KA", 1, non_negative, &ThreeBeadSwimmer::angular_stiffness, "10 k l^2"},
-      {"bead-density", "Beads", "Mass density of the beads [mass/length^3]", "RHO", 1, positive,
-       &Bead::density, "the preset's, else the fluid's"},
-      {"amplitude", driving_law,
-       "Amplitudes A and B of the driving forces on beads 1 and 3 [mass length/time^2]", "A|A,B", 2,
-       non_negative, &ThreeBeadDriving::amplitude},
-      {"phase", driving_law,
-       "Phase alpha by which the force on bead 3 is ahead of that on bead 1, as 1.5 or 90deg; write a "
-       "negative phase after an equals sign [rad]",
-       "ALPHA", 1, angle, &ThreeBeadDriving::phase, "the preset's, else pi/2"},
-      {"period", driving_law, "Period T of the driving forces [time]", "T", 1, positive,
-       &ThreeBeadDriving::period},
-      {"frame", driving_law,
-       "Direction of the driving forces: the x axis (lab), the swimmer's axis at time 0 (initial-axis), or "
-       "its "
-       "arms as they turn (body)",
-       "", 1, frame, &ThreeBeadDriving::frame, "lab"},
-      {"viscosity", "Fluid and box", "Kinematic viscosity nu of the fluid [length^2/time]", "NU", 1, positive,
-       &Fluid::kinematic_viscosity},
-      {"density", "Fluid and box", "Mass density of the fluid [mass/length^3]", "RHO", 1, positive,
-       &Fluid::density, "1"}};
-  return quantities;
-}
-
 double number_at(const Json& value, std::size_t index) {
   return value.is_array() ? value.at(value.size() == 1 ? 0 : index).get<double>() : value.get<double>();
 }
@@ -94,13 +56,47 @@ bool are_equal(const Resolution& a, const Resolution& b) {
 
 }  // namespace
 
-std::span<const NamedQuantity> named_quantities() {
-  return table();
+const std::vector<NamedQuantity>& named_quantities() {
+  static const std::vector<NamedQuantity> quantities{
+      {"radius", "Beads", "Radius of the beads: one value for all, or one per bead [length]", "R|R1,R2,R3", 3,
+       positive, &Bead::radius},
+      {"arm", "Springs", "Rest length of the springs, between the centres of adjacent beads [length]",
+       "L|L1,L2", 2, positive, &Spring::rest_length},
+      {"stiffness", "Springs", "Stiffness k of the springs, force per extension [mass/time^2]", "K|K1,K2", 2,
+       positive, &Spring::stiffness},
+      {"damping", "Springs",
+       "Damping c of the dashpots parallel to the springs, force per rate of extension [mass/time]",
+       "C|C1,C2", 2, non_negative, &Spring::damping, "the preset's, else 0"},
+      {"angular-stiffness", "Springs",
+       "Stiffness K_A of the angular spring with energy K_A theta^2/2; theta: angle between the arms [mass "
+       "length^2/time^2]",
+       "KA", 1, non_negative, &ThreeBeadSwimmer::angular_stiffness, "10 k l^2"},
+      {"bead-density", "Beads", "Mass density of the beads [mass/length^3]", "RHO", 1, positive,
+       &Bead::density, "the preset's, else the fluid's"},
+      {"amplitude", driving_law,
+       "Amplitudes A and B of the driving forces on beads 1 and 3 [mass length/time^2]", "A|A,B", 2,
+       non_negative, &ThreeBeadDriving::amplitude},
+      {"phase", driving_law,
+       "Phase alpha by which the force on bead 3 is ahead of that on bead 1, as 1.5 or 90deg; write a "
+       "negative phase after an equals sign [rad]",
+       "ALPHA", 1, angle, &ThreeBeadDriving::phase, "the preset's, else pi/2"},
+      {"period", driving_law, "Period T of the driving forces [time]", "T", 1, positive,
+       &ThreeBeadDriving::period},
+      {"frame", driving_law,
+       "Direction of the driving forces: the x axis (lab), the swimmer's axis at time 0 (initial-axis), or "
+       "its "
+       "arms as they turn (body)",
+       "", 1, frame, &ThreeBeadDriving::frame, "lab"},
+      {"viscosity", "Fluid and box", "Kinematic viscosity nu of the fluid [length^2/time]", "NU", 1, positive,
+       &Fluid::kinematic_viscosity},
+      {"density", "Fluid and box", "Mass density of the fluid [mass/length^3]", "RHO", 1, positive,
+       &Fluid::density, "1"}};
+  return quantities;
 }
 
 const NamedQuantity* find_quantity(const std::string& name) {
-  const auto found = std::ranges::find(table(), name, &NamedQuantity::name);
-  return found == table().end() ? nullptr : &*found;
+  const auto found = std::ranges::find(named_quantities(), name, &NamedQuantity::name);
+  return found == named_quantities().end() ? nullptr : &*found;
 }
 
 void set_quantities(SwimmerParameters& parameters, const QuantityValues& values) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "beadswim/study/stream_schedule.hpp"
+#include "beadswim/study/rank_groups.hpp"
 #include "options.hpp"
 
 namespace beadswim {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "beadswim/study/stored_stream.hpp"
+#include "beadswim/study/stream.hpp"
 #include "options.hpp"
 
 // Runs of a stream of layouts. The ranks form groups; each group runs one layout after the other.

@@ -1,5 +1,3 @@
-#include "beadswim/study/processes.hpp"
-
 #include <fmt/core.h>
 #include <poll.h>
 #include <sched.h>

@@ -1,13 +1,13 @@
-#include "beadswim/study/stream_schedule.hpp"
+#include "beadswim/study/rank_groups.hpp"
 
 #include <algorithm>
 #include <numeric>
 
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/documents/layout_document.hpp"
-#include "beadswim/core/reason_against.hpp"
 #include "beadswim/run/run_length.hpp"
 
 namespace beadswim {

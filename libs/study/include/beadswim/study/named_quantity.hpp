@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -40,7 +39,7 @@ struct NamedQuantity {
 };
 
 /// Returns all quantities, in the order of messages.
-std::span<const NamedQuantity> named_quantities();
+const std::vector<NamedQuantity>& named_quantities();
 
 /// Returns the quantity with this name, or nullptr.
 const NamedQuantity* find_quantity(const std::string& name);

@@ -1,20 +1,53 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "beadswim/study/stored_stream.hpp"
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/core/temporary_file.hpp"
+#include "beadswim/io/document_stream.hpp"
 
-// A stream of work: members, such as the layouts of a study, on which several processes (processes.hpp) or
-// groups of ranks (rank_groups.hpp) work at the same time. Results are taken in the order of the members. A
+// A stream of work: members, such as the layouts of a study, on which several processes or groups of ranks
+// (rank_groups.hpp) work at the same time. Results are taken in the order of the members. A
 // member that cannot be treated has a failure document (schemas/failure.schema.json) in place of its result.
 //
 // The library handles no signal, prints nothing and ends no process. What a program wants to know or to
 // decide during the work passes through StreamSinks.
 
 namespace beadswim {
+
+/// All members of a stream in a temporary file. They can be read at any time and in any order, also by
+/// several processes after a fork, and memory does not grow with their size.
+class StoredStream {
+ public:
+  StoredStream() = default;
+  /// Stores all documents. `check` takes each of them before, and may throw.
+  StoredStream(DocumentStream& documents, const std::function<void(const StreamMember&)>& check);
+
+  /// Appends a member, whose number becomes the new size.
+  void add(const StreamMember& member);
+
+  int size() const { return static_cast<int>(members_.size()); }
+  /// Returns the member with the number `number`, from 1.
+  StreamMember member(int number) const;
+
+  /// Gives the members of rank 0 to all ranks, which have none before. Collective.
+  void share(const Communicator& communicator);
+
+ private:
+  struct Member {
+    std::int64_t start = 0;  ///< position of the text in the file [byte]
+    std::string source;
+  };
+
+  OpenFile file_ = temporary_file();
+  std::vector<Member> members_;
+  std::int64_t bytes_ = 0;
+};
 
 /// Findings about one member, 0 or 1 each, or their sums over all members.
 struct Findings {
@@ -82,5 +115,15 @@ class StreamProgress {
   std::string what_;
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
+
+/// Calls work(member) for all members of a stream, in `processes` processes on this machine at a time; with
+/// one, in this process. An exception but StoppedEarly, or the end of the process of the work, for example
+/// for lack of memory, makes a failure.
+StreamTally work_in_processes(const StoredStream& members, int processes,
+                              const std::function<MemberResult(const StreamMember&)>& work,
+                              const StreamSinks& sinks);
+
+/// Returns the number of processors that this process may use.
+int usable_processors();
 
 }  // namespace beadswim
