@@ -17,4 +17,5 @@ find_package(fmt 9 REQUIRED CONFIG)
 find_package(Boost 1.74 REQUIRED)  # headers only, for Boost.Math
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
+pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)

@@ -33,13 +33,13 @@ PredictionDocument two_predictions() {
   full.arm_means = {20.01, 19.99};
   full.settings = {{"fluid", "unbounded"}, {"period", 4800.0}};
   const Units units{.lattice = false, .length = {"um", 1e-6}, .time = {"ms", 1e-3}, .mass = {"pg", 1e-15}};
-  return {.units = units,
-          .swimmer = 7,
-          .predictions = {sparse, full},
-          .left_out = {{"rpy-ode", "contact"}},
-          .warnings = {"large"},
-          .provenance = Json::array(),
-          .scene = paper_single()};
+  PredictionDocument document{{.units = units,
+                               .swimmer = 7,
+                               .predictions = {sparse, full},
+                               .left_out = {{"rpy-ode", "contact"}},
+                               .warnings = {"large"}}};
+  document.scene = paper_single();
+  return document;
 }
 
 // Whatever is written is read back bit by bit, so writing it again gives the same bytes.

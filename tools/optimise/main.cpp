@@ -8,18 +8,18 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/failure_document.hpp"
-#include "beadswim/run/run_settings.hpp"
 #include "beadswim/study/stream.hpp"
-#include "beadswim/theory/methods.hpp"
 #include "beadswim/tools/named_flags.hpp"
 #include "beadswim/tools/stop_signal.hpp"
-#include "optimisation.hpp"
+#include "problem_text.hpp"
 
 // beadswim-optimise searches for the values of a few quantities of a layout with which a swimmer swims
 // fastest, most efficiently, and so on.
 
 namespace beadswim {
 namespace {
+
+constexpr const char* program_name = "beadswim-optimise";
 
 struct Flags {
   std::vector<std::string> files{"-"}, free, constraints;
@@ -51,7 +51,7 @@ void add_objective(CLI::App& program, const std::string& flag, std::optional<Res
 
 std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
   auto program =
-      make_program(optimise_name,
+      make_program(program_name,
                    "Searches for the values of a few quantities of a layout with which its swimmer swims "
                    "fastest, most efficiently or with least power. Writes the layout with these "
                    "values.");
@@ -166,87 +166,56 @@ std::unique_ptr<MpiSession> mpi_for_models(int argc, char** argv) {
   return mpi;
 }
 
-NamedEvaluator evaluator_of(const Flags& flags) {
-  if (!flags.model.empty()) return {flags.model, model_evaluator(flags.model, flags.evaluator)};
-  return {flags.method, theory_evaluator(flags.method, "--method", {}, flags.evaluator)};
+Optimisation optimisation_of(Flags& flags, const OpenFile& trace) {
+  flags.evaluator.stop = [] { return stop_by_signal(stop_signal()); };
+  const auto evaluator = [&](const std::string& name, Setting setting) {
+    return evaluator_by(name, setting, flags.evaluator);
+  };
+  const Problem problem = problem_of(flags);
+  const std::vector<FreeValue> free = parse_free_values(flags.free);
+  const int dimensions = static_cast<int>(free.size());
+  Optimisation optimisation{
+      .free = free,
+      .problem = problem,
+      .by = flags.model.empty() ? evaluator(flags.method, Setting::method)
+                                : evaluator(flags.model, Setting::model),
+      .search = {.num_inequalities = problem.num_inequalities(),
+                 .evaluations = flags.evaluations.value_or(default_evaluations(dimensions)),
+                 .seed = static_cast<unsigned long>(flags.seed)},
+      .message =
+          [](const std::string& text) { print_to_stderr(fmt::format("{}: {}\n", program_name, text)); },
+      .trace = [&trace](const Json& line) { append(trace, dump_json_line(line)); }};
+  if (!flags.verify_by.empty()) optimisation.verifier = evaluator(flags.verify_by, Setting::verification);
+  return optimisation;
 }
 
-NamedEvaluator verifier_of(const Flags& flags) {
-  const std::string& name = flags.verify_by;
-  if (is_model(name)) return {name, model_evaluator(name, flags.evaluator)};
-  std::vector<std::string> models;
-  for (const std::string& model : all_names<RunModel>())
-    if (is_model(model)) models.push_back(model);
-  return {name, theory_evaluator(name, "--verify-by", models, flags.evaluator)};
+/// Writes the layouts that were found, or failures in their place. Throws InputError or SolverError if one
+/// has none. `documents`: the stream whose documents are `layouts`.
+void search_all(const Flags& flags, const Optimisation& optimisation, const DocumentStream& documents,
+                const StoredStream& layouts, const CLI::App& program) {
+  const bool is_single = documents.is_single();
+  const auto work = [&](const StreamMember& member) {
+    Optimum found = optimise(member, optimisation);
+    found.layout.provenance.push_back(provenance_record(program));
+    const Json json = layout_to_json(found.layout);
+    return MemberResult{.line = is_single && !documents.is_lines() ? dump_json(json) : dump_json_line(json),
+                        .findings = {.incomplete = found.is_unverified}};
+  };
+  const auto take = [](int, const MemberResult& result) { write_text("-", result.line); };
+  Findings findings;
+  if (is_single) {
+    const MemberResult result = work(layouts.member(1));
+    take(1, result);
+    findings = result.findings;
+  } else {
+    findings = work_in_processes(layouts, 1, work, {.program = program_name, .take = take}).findings;
+  }
+  require_no_failures(findings.failed, layouts.size(), "layouts have no result");
+  if (findings.incomplete > 0)
+    throw SolverError(fmt::format("{} could not verify what was found", flags.verify_by));
 }
 
-/// The search for all layouts of the command line.
-class Searches {
- public:
-  Searches(const Flags& flags, const CLI::App& program)
-      : flags_(flags),
-        program_(program),
-        problem_(problem_of(flags)),
-        free_(parse_free_values(flags.free)),
-        by_(evaluator_of(flags)) {
-    if (!flags.verify_by.empty()) verifier_ = verifier_of(flags);
-    DocumentStream documents(flags.files);
-    is_single_ = documents.is_single();
-    is_line_ = documents.is_lines();
-    layouts_ = StoredStream(
-        documents, [&](const StreamMember& member) { Optimisation(member, problem_, free_, by_, trace_); });
-  }
-
-  /// Writes the layouts that were found, or failures in their place. Throws InputError or SolverError if
-  /// one has none.
-  void run() {
-    const auto work = [&](const StreamMember& member) { return find(member); };
-    const auto take = [](int, const MemberResult& result) { write_text("-", result.line); };
-    Findings findings;
-    if (is_single_) {
-      const MemberResult result = find(layouts_.member(1));
-      take(1, result);
-      findings = result.findings;
-    } else {
-      findings = work_in_processes(layouts_, 1, work, {.program = optimise_name, .take = take}).findings;
-    }
-    require_no_failures(findings.failed, layouts_.size(), "layouts have no result");
-    if (findings.incomplete > 0)
-      throw SolverError(fmt::format("{} could not verify what was found", flags_.verify_by));
-  }
-
-  std::string trace() const { return read_all(trace_); }
-
- private:
-  MemberResult find(const StreamMember& member) {
-    const int dimensions = static_cast<int>(free_.size());
-    Optimisation optimisation(member, problem_, free_, by_, trace_);
-    optimisation.begin();
-    if (verifier_) optimisation.require_treated_by(*verifier_);
-    optimisation.find({.num_inequalities = problem_.num_inequalities(),
-                       .evaluations = flags_.evaluations.value_or(default_evaluations(dimensions)),
-                       .seed = static_cast<unsigned long>(flags_.seed)});
-    const bool is_unverified = verifier_ && !optimisation.verify(*verifier_);
-    LayoutDocument layout = optimisation.best();
-    layout.provenance.push_back(provenance_record(program_));
-    const Json json = layout_to_json(layout);
-    return {.line = is_single_ && !is_line_ ? dump_json(json) : dump_json_line(json),
-            .findings = {.incomplete = is_unverified}};
-  }
-
-  const Flags& flags_;
-  const CLI::App& program_;
-  const Problem problem_;
-  const std::vector<FreeValue> free_;
-  StoredStream layouts_;
-  bool is_single_ = false;
-  bool is_line_ = false;  ///< of a single layout: it is a line
-  const OpenFile trace_ = temporary_file();
-  const NamedEvaluator by_;
-  std::optional<NamedEvaluator> verifier_;
-};
-
-int run(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   Flags flags;
   const auto program = optimise_program(flags);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
@@ -254,12 +223,16 @@ int run(int argc, char** argv) {
   require_trace(flags);
   std::unique_ptr<MpiSession> mpi;
   if (is_model(flags.model) || is_model(flags.verify_by)) mpi = mpi_for_models(argc, argv);
-  Searches searches(flags, *program);
+  const OpenFile trace = temporary_file();
+  const Optimisation optimisation = optimisation_of(flags, trace);
+  DocumentStream documents(flags.files);
+  const StoredStream layouts(documents,
+                             [&](const StreamMember& member) { require_searchable(member, optimisation); });
   const auto write_trace = [&] {
-    if (!flags.trace.empty()) write_text(flags.trace, searches.trace());
+    if (!flags.trace.empty()) write_text(flags.trace, read_all(trace));
   };
   try {
-    searches.run();
+    search_all(flags, optimisation, documents, layouts, *program);
   } catch (...) {
     write_trace();
     throw;
@@ -272,5 +245,5 @@ int run(int argc, char** argv) {
 }  // namespace beadswim
 
 int main(int argc, char** argv) {
-  return beadswim::guarded_main(beadswim::optimise_name, [&] { return beadswim::run(argc, argv); });
+  return beadswim::guarded_main(beadswim::program_name, [&] { return beadswim::run_program(argc, argv); });
 }

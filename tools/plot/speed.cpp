@@ -115,12 +115,10 @@ std::string scene_title(const RunRecord& record) {
 SourceDocument document_of(const PlotInputs& read) {
   if (!read.runs.empty()) return {read.runs.front().source, read.runs.front().record};
   const PlottedPrediction& only = read.predictions.front();
-  return {only.source, PredictionDocument{.units = read.units,
-                                          .swimmer = only.swimmer,
-                                          .predictions = {only.prediction},
-                                          .left_out = {},
-                                          .warnings = {},
-                                          .scene = only.scene}};
+  PredictionDocument document{
+      {.units = read.units, .swimmer = only.swimmer, .predictions = {only.prediction}}};
+  document.scene = only.scene;
+  return {only.source, document};
 }
 
 /// Reads the file of a reference and collects the runs of its scene: all runs if there is one reference.

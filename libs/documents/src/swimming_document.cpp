@@ -10,6 +10,7 @@
 #include <span>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/io/document_stream.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
@@ -41,6 +42,24 @@ RunRecord with_swimmers(RunRecord record, const std::string& source) {
   record.swimmers = std::move(of_trajectory.swimmers);
   record.scene = std::move(of_trajectory.scene);
   return record;
+}
+
+const SwimmerRecord& swimmer_with_stroke(const RunRecord& run, std::optional<int> id,
+                                         const std::string& where) {
+  const auto is_requested = [&](const SwimmerRecord& swimmer) { return !id || swimmer.id == *id; };
+  const auto found = std::ranges::find_if(run.swimmers, is_requested);
+  if (found != run.swimmers.end()) return *found;
+  if (run.swimmers.empty())
+    throw InputError(
+        where,
+        fmt::format("the run record contains only statistics of the swarm, because the run has more than {} "
+                    "swimmers; run a smaller cell of the scene (beadswim-layout reduce)",
+                    max_swimmers_listed));
+  throw InputError(
+      where,
+      fmt::format(
+          "the run record does not list swimmer {}, but only {} other swimmers; give a swimmer of the record",
+          *id, run.swimmers.size()));
 }
 
 }  // namespace
@@ -123,6 +142,24 @@ const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::strin
   throw InputError(
       source, fmt::format("the run record contains no swimmer with the id {}; the ids in the record are {}",
                           id, fmt::join(swimmers_of(run), ", ")));
+}
+
+MeasuredStroke measured_stroke(const RunRecord& run, std::optional<int> swimmer, const std::string& source) {
+  const std::string where = fmt::format("{} {}", Setting::stroke_record, source);
+  const SwimmerRecord& record = swimmer_with_stroke(run, swimmer, where);
+  if (record.cycles.empty())
+    throw InputError(where,
+                     fmt::format("swimmer {} has not finished a cycle; run at least one cycle", record.id));
+  const CycleStatistics& last = record.cycles.back();
+  if (last.arm_amplitudes.size() != 2)
+    throw InputError(
+        where, fmt::format("swimmer {} has {} bonds, but the methods need the stroke of two arms; give a "
+                           "run of the paper's three-bead swimmer",
+                           record.id, last.arm_amplitudes.size()));
+  return {.source = source,
+          .units = run.units,
+          .period = record.period.value_or(run.driving.period),
+          .stroke = {.amplitude = last.arm_amplitudes, .phase = last.arm_phases}};
 }
 
 }  // namespace beadswim

@@ -13,7 +13,9 @@ constexpr auto special_flags = std::to_array<NamedValue<Setting>>({
     {Setting::checkpoint_every, "--checkpoint-every"},
     {Setting::flow_every, "--flow-every"},
     {Setting::frame, "--frame"},
+    {Setting::free_quantity, "--free"},
     {Setting::friction, "--friction"},
+    {Setting::limit, "--subject-to"},
     {Setting::lubrication, "--lubrication"},
     {Setting::output, "-o"},
     {Setting::plan, "--plan"},
@@ -21,9 +23,10 @@ constexpr auto special_flags = std::to_array<NamedValue<Setting>>({
     {Setting::refinement, "--refine"},
     {Setting::repair, "--repair"},
     {Setting::restart, "--restart"},
-    {Setting::stroke_record, "--stroke-from RUN.json"},
+    {Setting::stroke_record, "--stroke-from"},
     {Setting::sum_tolerance, "--sum-tolerance"},
     {Setting::unbounded, "beadswim-layout swimmer --unbounded"},
+    {Setting::verification, "--verify-by"},
 });
 
 }  // namespace

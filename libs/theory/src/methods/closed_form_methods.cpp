@@ -77,7 +77,7 @@ std::optional<std::string> unequal_for_lowest_order_stroke(const Question& quest
 std::optional<std::string> no_measured_stroke(const Question& question) {
   if (auto obstacle = exact_obstacle(question)) return obstacle;
   if (question.measured_stroke) return std::nullopt;
-  return fmt::format("the method needs a measured stroke; give one with {}", Setting::stroke_record);
+  return fmt::format("the method needs a measured stroke; give one with {} RUN.json", Setting::stroke_record);
 }
 
 /// Returns a pair mobility of zero. Equations (4.4) to (4.8) of Pickl et al. 2017 are exact for beads without

@@ -63,6 +63,11 @@ std::vector<int> swimmers_of(const SwimmingDocument& document);
 MotionScale motion_scale_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
                             const std::string& source);
 
+/// Returns the stroke of a swimmer in the last cycle of a run. `swimmer`: its id; nullopt: the first swimmer
+/// of the record. `source`: path of the record. Throws InputError if the record has no such swimmer, or if
+/// the swimmer has not completed a cycle or has not two arms.
+MeasuredStroke measured_stroke(const RunRecord& run, std::optional<int> swimmer, const std::string& source);
+
 /// Returns the record of the swimmer with this id. Throws InputError if the run has no such swimmer; the
 /// message lists the ids of the run.
 const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::string& source);

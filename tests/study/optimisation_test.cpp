@@ -1,4 +1,4 @@
-#include "problem.hpp"
+#include "beadswim/study/optimisation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,12 +18,12 @@ TEST(FreeValue, IsLogarithmicForPositiveBoundsWithARatioOfTen) {
 }
 
 TEST(FreeValue, EqualValuesOfSeveralQuantitiesAreInTheStudy) {
-  const auto free = parse_free_values({"radius,arm=2:8", "phase=0:180deg"});
-  const StudyPoint point = study_point(free, {0.5, 1});
+  const FreeValue size{.names = {"radius", "arm"}, .from = 2, .to = 8};
+  const StudyPoint point = study_point({size, {.names = {"phase"}, .from = 0, .to = 3}}, {0.5, 1});
   ASSERT_EQ(point.size(), 3U);
   EXPECT_EQ(point[0], (std::pair<std::string, Json>("radius", 5)));
   EXPECT_EQ(point[1], (std::pair<std::string, Json>("arm", 5)));
-  EXPECT_DOUBLE_EQ(point[2].second.get<double>(), 3.14159265358979323846);
+  EXPECT_EQ(point[2], (std::pair<std::string, Json>("phase", 3)));
 }
 
 Outcomes outcomes(double velocity, double power, double gap) {
@@ -38,7 +38,8 @@ Outcomes outcomes(double velocity, double power, double gap) {
 TEST(Problem, ViolationsHaveNoUnits) {
   const Problem problem{.objective = ResultQuantity::velocity,
                         .is_maximised = true,
-                        .constraints = parse_constraints({"power=1:4", "gap=0:"})};
+                        .constraints = {{.outcome = ResultQuantity::power, .low = 1, .high = 4},
+                                        {.outcome = ResultQuantity::gap, .low = 0}}};
   EXPECT_EQ(problem.num_inequalities(), 3);
   const Trial trial = problem.trial_of(outcomes(7, 5, -3e-6), outcomes(1, 1, 6e-6));
   EXPECT_EQ(trial.value, -7);

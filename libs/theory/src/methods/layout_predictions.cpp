@@ -1,4 +1,4 @@
-#include "predict_layout.hpp"
+#include "beadswim/theory/layout_predictions.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <variant>
 
-#include "beadswim/core/error.hpp"
-#include "beadswim/documents/swimming_document.hpp"
+#include "beadswim/core/reason_against.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/scene/check.hpp"
 #include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/scene/units.hpp"
@@ -18,8 +18,6 @@
 
 namespace beadswim {
 namespace {
-
-constexpr const char* all_methods = "all";
 
 /// A swimmer as theory treats it: three beads that stay on a line, or any other shape.
 using TheorySwimmer = std::variant<CollinearSwimmer, ShapedSwimmer>;
@@ -55,7 +53,7 @@ const Swimmer& find_swimmer(const Layout& layout, int id, const std::string& sou
   const auto found = std::ranges::find(layout.swimmers, id, &Swimmer::id);
   if (found != layout.swimmers.end()) return *found;
   const auto [lowest, highest] = std::ranges::minmax_element(layout.swimmers, {}, &Swimmer::id);
-  throw InputError("--swimmer",
+  throw InputError(Setting::swimmer,
                    fmt::format("the layout {} has no swimmer with the id {}; the ids range from {} to {}",
                                source, id, lowest->id, highest->id));
 }
@@ -69,8 +67,8 @@ const Swimmer& find_common_swimmer(const Layout& layout, const std::string& sour
     if (theory_swimmer(layout, other, source) == common) continue;
     throw InputError(
         source, fmt::format("swimmers {} and {} differ, but a prediction is for one swimmer; name the "
-                            "swimmer with --swimmer ID{}",
-                            first.id, other.id,
+                            "swimmer with {} ID{}",
+                            first.id, other.id, Setting::swimmer,
                             layout.domain.box ? ", or make a smaller cell with beadswim-layout reduce" : ""));
   }
   return first;
@@ -80,7 +78,7 @@ const Swimmer& find_common_swimmer(const Layout& layout, const std::string& sour
 /// the layout.
 Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const MeasuredStroke& measured,
                   const UnitScales& units) {
-  const std::string where = "--stroke-from " + measured.source;
+  const std::string where = fmt::format("{} {}", Setting::stroke_record, measured.source);
   if (!same_units(layout.units, measured.units)) {
     throw InputError(
         where, "the run's units of length and time differ from the layout's; give a run of the same layout");
@@ -98,8 +96,8 @@ Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const M
   return stroke;
 }
 
-/// Returns true if the method needs a measured stroke, or a box, that the question does not contain, or three
-/// beads on a line. --method all omits such a method without a message.
+// lacks_input() returns true if the method needs a measured stroke, or a box, that the question does not
+// contain, or three beads on a line. A request for all methods omits such a method without a message.
 bool lacks_input(const Method& method, const ShapeQuestion&) {
   return method.predict_shape == nullptr;
 }
@@ -110,91 +108,66 @@ bool lacks_input(const Method& method, const Question& question) {
   return lacks_stroke || lacks_box;
 }
 
-std::optional<std::string> obstacle_of(const Method&, const ShapeQuestion&) {
-  return std::nullopt;
-}
-std::optional<std::string> obstacle_of(const Method& method, const Question& question) {
-  return method.obstacle(question);
-}
-
 /// Adds the predictions of all methods that can treat the question, a Question or a ShapeQuestion.
-void predict_by_all(const auto& question, PredictionDocument& document) {
+void predict_by_all(const auto& question, LayoutPredictions& predicted) {
   for (const Method& method : methods()) {
     if (lacks_input(method, question)) continue;
-    if (const auto obstacle = obstacle_of(method, question)) {
-      document.left_out.push_back({method.name, *obstacle});
-      continue;
-    }
-    try {
-      document.predictions.push_back(predict(method, question));
-    } catch (const InputError& error) {
-      document.left_out.push_back({method.name, error.what()});
-    } catch (const SolverError& error) {
-      document.left_out.push_back({method.name, error.what()});
-    }
+    std::optional<std::string> reason;
+    if constexpr (std::same_as<decltype(question), const Question&>) reason = method.obstacle(question);
+    if (!reason) reason = reason_against([&] { predicted.predictions.push_back(predict(method, question)); });
+    if (!reason->empty()) predicted.left_out.push_back({method.name, *reason});
   }
-  if (document.predictions.empty()) {
-    throw InputError("--method all",
+  if (predicted.predictions.empty()) {
+    throw InputError(fmt::format("{} {}", Setting::method, all_methods),
                      fmt::format("no method can predict this swimmer; {}, for example, cannot because {}",
-                                 document.left_out.front().method, document.left_out.front().reason));
+                                 predicted.left_out.front().method, predicted.left_out.front().reason));
   }
 }
 
 /// Adds the predictions of the named methods.
-void predict_by(const std::vector<std::string>& names, const auto& question, PredictionDocument& document) {
-  if (names == std::vector<std::string>{all_methods}) return predict_by_all(question, document);
+void predict_by(const std::vector<std::string>& names, const auto& question, LayoutPredictions& predicted) {
+  if (names == std::vector<std::string>{all_methods}) return predict_by_all(question, predicted);
   for (const std::string& name : names) {
     if (name == all_methods)
-      throw InputError("--method",
+      throw InputError(Setting::method,
                        "\"all\" stands for all methods and cannot be combined with names of methods; leave "
                        "out \"all\" or the names");
-    document.predictions.push_back(predict(find_method(name), question));
+    predicted.predictions.push_back(predict(find_method(name), question));
   }
 }
 
 /// Throws InputError if a measured stroke was given, but no method of the predictions uses it.
-void check_stroke_is_used(const PredictionDocument& document, const Question& question) {
+void check_stroke_is_used(const LayoutPredictions& predicted, const Question& question) {
   if (!question.measured_stroke) return;
   const auto uses_it = [](const std::string& method) { return find_method(method).uses_stroke(); };
-  if (std::ranges::any_of(document.predictions, uses_it, &Prediction::method)) return;
-  for (const LeftOutMethod& left_out : document.left_out) {
+  if (std::ranges::any_of(predicted.predictions, uses_it, &Prediction::method)) return;
+  for (const LeftOutMethod& left_out : predicted.left_out) {
     if (!uses_it(left_out.method)) continue;
-    throw InputError("--stroke-from",
+    throw InputError(Setting::stroke_record,
                      fmt::format("no method can use the measured stroke; {}, for example, cannot because {}",
                                  left_out.method, left_out.reason));
   }
   std::vector<std::string> users;
   for (const Method& method : methods())
     if (method.uses_stroke()) users.push_back(method.name);
-  throw InputError("--stroke-from",
-                   fmt::format("none of the named methods uses a measured stroke; add one of {} to --method",
-                               fmt::join(users, ", ")));
+  throw InputError(Setting::stroke_record,
+                   fmt::format("none of the named methods uses a measured stroke; add one of {} to {}",
+                               fmt::join(users, ", "), Setting::method));
 }
 
 void predict_line(const CollinearSwimmer& line, const Layout& layout, const Swimmer& swimmer,
-                  const TheoryRequest& request, const std::optional<MeasuredStroke>& measured,
-                  const UnitScales& units, PredictionDocument& predicted) {
+                  const PredictionRequest& request, const UnitScales& units, LayoutPredictions& predicted) {
   const Surroundings surroundings = surroundings_of(layout, swimmer);
   Question question = with_exact_reference({.swimmer = line,
                                             .fluid_density = layout.fluid.density,
                                             .box = surroundings.box,
                                             .box_obstacle = surroundings.obstacle,
                                             .units = units});
-  if (measured) question.measured_stroke = stroke_for(layout, question.swimmer, *measured, units);
+  if (request.measured)
+    question.measured_stroke = stroke_for(layout, question.swimmer, *request.measured, units);
   predict_by(request.methods, question, predicted);
   check_stroke_is_used(predicted, question);
   predicted.warnings = warnings(question, request.tolerance);
-}
-
-void predict_shape(const ShapedSwimmer& shape, const Layout& layout, const TheoryRequest& request,
-                   const std::optional<MeasuredStroke>& measured, const UnitScales& units,
-                   PredictionDocument& predicted) {
-  if (measured)
-    throw InputError(
-        "--stroke-from",
-        "no method can use a measured stroke for this swimmer; such methods are for three beads on a "
-        "line in fluid at rest");
-  predict_by(request.methods, ShapeQuestion{shape, layout.fluid.density, units}, predicted);
 }
 
 /// Returns the unit of a setting of a prediction.
@@ -221,28 +194,28 @@ void to_layout_units(Prediction& prediction, const UnitScales& units) {
 
 }  // namespace
 
-PredictionDocument predict_layout(const LayoutDocument& document, const std::string& source,
-                                  const TheoryRequest& request,
-                                  const std::optional<MeasuredStroke>& measured) {
-  const UnitScales units = natural_units(document.layout);
-  const Layout layout = in_units(document.layout, units);
+LayoutPredictions predict_layout(const Layout& in_layout_units, const std::string& source,
+                                 const PredictionRequest& request) {
+  const UnitScales units = natural_units(in_layout_units);
+  const Layout layout = in_units(in_layout_units, units);
   const Swimmer& swimmer =
       request.swimmer ? find_swimmer(layout, *request.swimmer, source) : find_common_swimmer(layout, source);
-  PredictionDocument predicted;
-  predicted.units = layout.units;
-  predicted.swimmer = swimmer.id;
-  if (layout.swimmers.size() <= max_swimmers_listed) predicted.scene = document.layout;
+  LayoutPredictions predicted{.units = layout.units, .swimmer = swimmer.id};
   const TheorySwimmer treated = theory_swimmer(layout, swimmer, source);
   if (const auto* line = std::get_if<CollinearSwimmer>(&treated)) {
-    predict_line(*line, layout, swimmer, request, measured, units, predicted);
+    predict_line(*line, layout, swimmer, request, units, predicted);
+  } else if (request.measured) {
+    throw InputError(
+        Setting::stroke_record,
+        "no method can use a measured stroke for this swimmer; such methods are for three beads on a "
+        "line in fluid at rest");
   } else {
-    predict_shape(std::get<ShapedSwimmer>(treated), layout, request, measured, units, predicted);
+    const ShapeQuestion question{std::get<ShapedSwimmer>(treated), layout.fluid.density, units};
+    predict_by(request.methods, question, predicted);
   }
   for (Prediction& prediction : predicted.predictions) to_layout_units(prediction, units);
   if (std::string warning = warning_of_fixed_forces(layout); !warning.empty())
     predicted.warnings.push_back(std::move(warning));
-  predicted.study = document.study;
-  predicted.provenance = document.provenance;
   return predicted;
 }
 

@@ -1,4 +1,4 @@
-#include "search.hpp"
+#include "beadswim/study/search.hpp"
 
 #include <gtest/gtest.h>
 

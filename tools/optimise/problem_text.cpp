@@ -1,7 +1,6 @@
-#include "problem.hpp"
+#include "problem_text.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +13,7 @@
 namespace beadswim {
 namespace {
 
-constexpr const char* constraint_flag = "--subject-to";
+constexpr const char *free_flag = "--free", *constraint_flag = "--subject-to";
 
 /// Name and two ends of NAME=LOW:HIGH, as text.
 struct NamedRange {
@@ -39,17 +38,6 @@ void require_order(double low, double high, const std::string& text, const std::
   throw InputError(flag, fmt::format("\"{}\": the first number must be smaller than the second", text));
 }
 
-/// Appends the violation of each side of a constraint: distance of the value beyond the bound, relative to
-/// the bound, or to `typical` if the bound is 0. Negative within the range.
-void append_violations(const Constraint& constraint, double value, double typical,
-                       std::vector<double>& violations) {
-  const auto unit = [typical](double bound) {
-    return bound != 0 ? std::abs(bound) : typical != 0 ? std::abs(typical) : 1;
-  };
-  if (std::isfinite(constraint.low)) violations.push_back((constraint.low - value) / unit(constraint.low));
-  if (std::isfinite(constraint.high)) violations.push_back((value - constraint.high) / unit(constraint.high));
-}
-
 Constraint parse_constraint(const std::string& text) {
   const NamedRange range =
       named_range(text, constraint_flag, "NAME=:MAX, NAME=MIN: or NAME=MIN:MAX, such as power=:0.001");
@@ -72,16 +60,6 @@ Constraint parse_constraint(const std::string& text) {
 
 }  // namespace
 
-bool FreeValue::is_logarithmic() const {
-  return from > 0 && to >= 10 * from;
-}
-
-double FreeValue::at(double coordinate) const {
-  if (coordinate <= 0) return from;
-  if (coordinate >= 1) return to;
-  return is_logarithmic() ? from * std::pow(to / from, coordinate) : from + coordinate * (to - from);
-}
-
 std::vector<FreeValue> parse_free_values(const std::vector<std::string>& texts) {
   std::vector<FreeValue> values;
   std::set<std::string> known;
@@ -102,13 +80,6 @@ std::vector<FreeValue> parse_free_values(const std::vector<std::string>& texts) 
   return values;
 }
 
-StudyPoint study_point(const std::vector<FreeValue>& free, const Position& position) {
-  StudyPoint point;
-  for (std::size_t i = 0; i < free.size(); ++i)
-    for (const std::string& name : free[i].names) point.emplace_back(name, free[i].at(position[i]));
-  return point;
-}
-
 std::vector<Constraint> parse_constraints(const std::vector<std::string>& texts) {
   std::vector<Constraint> constraints;
   for (const std::string& text : texts) {
@@ -120,53 +91,6 @@ std::vector<Constraint> parse_constraints(const std::vector<std::string>& texts)
     constraints.push_back(constraint);
   }
   return constraints;
-}
-
-std::vector<std::string> outcome_names() {
-  std::vector<std::string> names;
-  for (const ResultRow& row : result_rows)
-    if (!row.is_per_arm) names.emplace_back(row.name);
-  return names;
-}
-
-std::vector<ResultQuantity> Problem::stated_outcomes() const {
-  std::vector<ResultQuantity> stated(usual_outcomes.begin(), usual_outcomes.end());
-  const auto add = [&](ResultQuantity outcome) {
-    if (std::ranges::find(stated, outcome) == stated.end()) stated.push_back(outcome);
-  };
-  add(objective);
-  for (const Constraint& constraint : constraints) add(constraint.outcome);
-  return stated;
-}
-
-int Problem::num_inequalities() const {
-  int sides = 0;
-  for (const Constraint& constraint : constraints)
-    sides += std::isfinite(constraint.low) + std::isfinite(constraint.high);
-  return sides;
-}
-
-Trial Problem::trial_of(const Outcomes& outcomes, const Outcomes& typical) const {
-  Trial trial;
-  const double value = outcomes.at(objective).value;
-  trial.value = is_maximised ? -value : value;
-  for (const Constraint& constraint : constraints)
-    append_violations(constraint, outcomes.at(constraint.outcome).value, typical.at(constraint.outcome).value,
-                      trial.violations);
-  return trial;
-}
-
-void Problem::require_outcomes(const Outcomes& outcomes, const std::string& evaluator) const {
-  std::vector<std::string> given;
-  for (const ResultQuantity outcome : stated_outcomes())
-    if (outcomes.contains(outcome)) given.emplace_back(to_text(outcome));
-  const auto require = [&](ResultQuantity outcome, const char* flag) {
-    if (outcomes.contains(outcome)) return;
-    throw InputError(flag, fmt::format("{} gives no {} for this layout; it gives {}", evaluator,
-                                       to_text(outcome), fmt::join(given, ", ")));
-  };
-  require(objective, flag());
-  for (const Constraint& constraint : constraints) require(constraint.outcome, constraint_flag);
 }
 
 }  // namespace beadswim
