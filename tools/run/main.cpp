@@ -8,7 +8,6 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/rank_failure.hpp"
-#include "beadswim/plan/run_plan.hpp"
 #include "beadswim/run/checkpoints.hpp"
 #include "one_run.hpp"
 #include "request.hpp"
@@ -62,21 +61,21 @@ int run_program(int argc, char** argv, const Communicator& communicator, const C
 /// normally. Any other exception may be thrown by one rank only; this rank then prints the message and aborts
 /// the other ranks.
 int report_failure(const Communicator& communicator, const Communicator& failures) {
+  const auto report_on_root = [&](ExitStatus status) {
+    return communicator.is_root() ? report_current_exception(program_name) : static_cast<int>(status);
+  };
   try {
     throw;
   } catch (const InputError&) {
-    return communicator.is_root() ? report_current_exception(program_name)
-                                  : static_cast<int>(ExitStatus::bad_input);
+    return report_on_root(ExitStatus::bad_input);
   } catch (const RunFailed&) {
-    return communicator.is_root() ? report_current_exception(program_name)
-                                  : static_cast<int>(ExitStatus::failed);
+    return report_on_root(ExitStatus::failed);
   } catch (const StoppedEarly&) {
     if (communicator.is_root() && std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr)
       print_to_stderr(
           "beadswim-run: the run ends with exit status 4, which mpirun reports as a failure; mpirun --quiet "
           "omits this report\n");
-    return communicator.is_root() ? report_current_exception(program_name)
-                                  : static_cast<int>(ExitStatus::stopped_early);
+    return report_on_root(ExitStatus::stopped_early);
   } catch (...) {
     return end_after_failure(program_name, failures);
   }

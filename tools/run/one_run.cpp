@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 
 #include "beadswim/core/rank_failure.hpp"
-#include "beadswim/plan/run_plan.hpp"
-#include "beadswim/plan/lattice_speed.hpp"
 #include "beadswim/run/checkpoints.hpp"
 #include "beadswim/tools/stop_signal.hpp"
 
@@ -65,9 +63,7 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
 }
 
 std::optional<StopRequest> stop_request(const RunOptions& options, double start) {
-  if (const int signal = stop_signal(); signal != 0)
-    return StopRequest{.status = RunStatus::stopped_signal,
-                       .reason = fmt::format("the run was stopped by signal {}", signal)};
+  if (const auto stop = stop_by_signal(stop_signal())) return stop;
   if (!options.time_limit || MPI_Wtime() - start <= *options.time_limit) return std::nullopt;
   return StopRequest{
       .status = RunStatus::stopped_time,

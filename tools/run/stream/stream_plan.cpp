@@ -1,5 +1,3 @@
-#include "stream/stream_plan.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,10 +6,9 @@
 
 #include "beadswim/core/rank_failure.hpp"
 #include "beadswim/documents/study_text.hpp"
-#include "beadswim/plan/lattice_speed.hpp"
 #include "beadswim/plan/run_plan.hpp"
-#include "beadswim/study/rank_groups.hpp"
 #include "one_run.hpp"
+#include "stream/stream_runs.hpp"
 
 namespace beadswim {
 namespace {

@@ -12,12 +12,10 @@
 #include "beadswim/core/version.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/run/checkpoints.hpp"
-#include "beadswim/study/rank_groups.hpp"
 #include "beadswim/tools/program.hpp"
 #include "beadswim/tools/stop_signal.hpp"
 #include "one_run.hpp"
 #include "request.hpp"
-#include "stream/stream_plan.hpp"
 
 namespace beadswim {
 namespace {
