@@ -18,8 +18,7 @@ constexpr double max_bytes = 300e6;  // largest page that browsers open without 
 struct ViewRequest {
   std::string file;
   std::string output;
-  int every = 1;
-  std::string block_swimmers = "1,3,3";
+  PageOptions options;
 };
 
 void add_flags(CLI::App& program, ViewRequest& request) {
@@ -32,18 +31,20 @@ void add_flags(CLI::App& program, ViewRequest& request) {
       ->required()
       ->type_name("PAGE.html|-");
   program
-      .add_option("--every", request.every,
+      .add_option("--every", request.options.every,
                   "Interval between the frames that the page contains: every Nth frame and the last. A "
                   "larger N makes the page smaller")
       ->type_name("N")
       ->default_val(1)
       ->check(whole_positive());
   program
-      .add_option("--block-swimmers", request.block_swimmers,
-                  "Number of swimmers in a block: along x, y, z (by layers of the layout), or in total (by "
-                  "consecutive ids). The page can colour swimmers by block")
+      .add_option_function<std::string>(
+          "--block-swimmers",
+          [&request](const std::string& text) { request.options.block_swimmers = parse_whole_numbers(text); },
+          "Number of swimmers in a block: along x, y, z (by layers of the layout), or in total (by "
+          "consecutive ids). The page can colour swimmers by block")
       ->type_name("NX,NY,NZ|N")
-      ->default_val("1,3,3")
+      ->default_str("1,3,3")
       ->check(number_list({1, 3}, whole_positive()));
   set_footer(program,
              {"beadswim-view run.h5md -o run.html", "beadswim-view run.h5md --every 10 -o small.html"},
@@ -63,11 +64,6 @@ void require_output(const ViewRequest& request) {
                                              path));
   }
   require_other_file(request.file, path);
-}
-
-PageOptions options_of(const ViewRequest& request) {
-  return {.every = static_cast<std::size_t>(request.every),
-          .block_swimmers = parse_whole_numbers(request.block_swimmers)};
 }
 
 /// Throws InputError if the page would be larger than max_bytes. The message states the value of --every that
@@ -92,10 +88,9 @@ int run(int argc, const char* const* argv) {
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
   require_page();
   require_output(request);
-  const PageOptions options = options_of(request);
   const TrajectoryFile file = open_trajectory(request.file);
-  require_page_size(file, options);
-  write_text(request.output, page.before_data + page_data(file, options) + page.after_data);
+  require_page_size(file, request.options);
+  write_text(request.output, page.before_data + page_data(file, request.options) + page.after_data);
   return static_cast<int>(ExitStatus::fine);
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 
@@ -13,7 +15,6 @@
 #include "beadswim/scene/swarm.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
-#include "quantised.hpp"
 
 namespace beadswim {
 namespace {
@@ -29,15 +30,29 @@ std::string data_element(const std::string& id, const std::vector<T>& values) {
 /// Returns an HTML element that contains the document as JSON. "<" is escaped, because it would begin a tag
 /// in HTML.
 std::string scene_element(const Json& document) {
-  std::string text;
-  for (const char c : dump_json_line(document)) {
-    if (c == '<') {
-      text += "\\u003c";
-    } else {
-      text += c;
-    }
-  }
+  std::string text = dump_json_line(document);
+  for (auto at = text.find('<'); at != std::string::npos; at = text.find('<', at))
+    text.replace(at, 1, "\\u003c");
   return "<script type=\"application/json\" id=\"scene\">" + text + "</script>\n";
+}
+
+// Quantisation stores a number as a 16-bit integer:  number = integer × step, |integer| <= 32767.
+
+constexpr int max_steps = std::numeric_limits<std::int16_t>::max();
+constexpr std::int16_t not_a_number = -32768;
+
+/// Returns the smallest step with which every number up to the absolute value `largest` can be stored in 16
+/// bits; 0 if `largest` is 0.
+float smallest_step(double largest) {
+  return std::nextafter(static_cast<float>(largest / max_steps), largest > 0 ? INFINITY : 0.F);
+}
+
+/// Returns number / step, rounded to the nearest integer, or `not_a_number` for NaN. The rounding error is at
+/// most half a step.
+std::int16_t round_to_steps(double number, float step) {
+  const double steps = step > 0 ? std::round(number / step) : 0;
+  if (std::isnan(number) || std::isnan(steps)) return not_a_number;
+  return static_cast<std::int16_t>(std::clamp<double>(steps, -max_steps, max_steps));
 }
 
 /// Replaces bytes that are not valid UTF-8 in a file name.
@@ -169,15 +184,17 @@ std::vector<std::int16_t> quantised_displacements(const TrajectoryFrame& frame, 
   return flat;
 }
 
-/// Table of a cycle quantity with one row per cycle. A swimmer that has not completed a cycle has NaN.
-struct CycleTable {
-  std::size_t columns = 0;  ///< swimmers, or bonds of all swimmers
-  std::vector<double> rows{};
-};
-
-std::string cycle_elements(const std::string& name, const CycleTable& table) {
-  const QuantisedTable stored = quantised(table.rows, table.columns);
-  return data_element("cycle-" + name + "-step", stored.steps) + data_element("cycle-" + name, stored.values);
+/// Returns the elements of a table with one row per cycle, in which a swimmer that has not completed a cycle
+/// has NaN. Each column has the smallest step that can store its largest number.
+std::string cycle_elements(const std::string& name, const std::vector<double>& rows, std::size_t columns) {
+  std::vector<double> largest(columns, 0);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    largest[i % columns] = std::fmax(largest[i % columns], std::abs(rows[i]));
+  std::vector<float> steps;
+  for (const double number : largest) steps.push_back(smallest_step(number));
+  std::vector<std::int16_t> values;
+  for (std::size_t i = 0; i < rows.size(); ++i) values.push_back(round_to_steps(rows[i], steps[i % columns]));
+  return data_element("cycle-" + name + "-step", steps) + data_element("cycle-" + name, values);
 }
 
 /// Appends one number per bond of a swimmer to a row of a table.
@@ -188,17 +205,17 @@ void append_bonds(const std::vector<double>& numbers, std::size_t bonds, std::ve
 
 std::string all_cycle_elements(const std::vector<TrajectoryCycle>& cycles, const TrajectoryFile& file) {
   const std::size_t swimmers = file.in_layout.size(), bonds = count_bonds(file);
-  CycleTable velocity{swimmers}, amplitudes{bonds}, phases{bonds};
+  std::vector<double> velocity, amplitudes, phases;
   for (const TrajectoryCycle& cycle : cycles) {
     const auto records = records_of<CycleStatistics>(cycle.columns, swimmers);
     for (std::size_t s = 0; s < swimmers; ++s) {
-      velocity.rows.push_back(velocity_relative_to_fluid(records[s], file.layout.domain.box));
-      append_bonds(records[s].arm_amplitudes, file.type(s).bonds.size(), amplitudes.rows);
-      append_bonds(records[s].arm_phases, file.type(s).bonds.size(), phases.rows);
+      velocity.push_back(velocity_relative_to_fluid(records[s], file.layout.domain.box));
+      append_bonds(records[s].arm_amplitudes, file.type(s).bonds.size(), amplitudes);
+      append_bonds(records[s].arm_phases, file.type(s).bonds.size(), phases);
     }
   }
-  return cycle_elements("velocity", velocity) + cycle_elements("amplitude", amplitudes) +
-         cycle_elements("phase", phases);
+  return cycle_elements("velocity", velocity, swimmers) + cycle_elements("amplitude", amplitudes, bonds) +
+         cycle_elements("phase", phases, bonds);
 }
 
 }  // namespace
