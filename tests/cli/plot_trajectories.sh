@@ -36,6 +36,17 @@ out_has '>eight, swimmer 0<'
 notes_have '1 to 8 swimmers, T = 2000, 2 boxes; 0.1 to 1 cycles'
 accepts beadswim-plot trajectories $(printf 'eight.h5md %.0s' $(seq 12)) --swimmers 0
 notes_have '8 swimmers, T = 2000, box .*; 0.1 cycles'
+# A dozen curves fit into a figure, and differ in colour or dash.
+styles() { # NUMBER   of lines in out of different styles; those of the legend are like those of the curves
+  check "there are not $1 styles of lines" test "$(grep '<polyline' out | sed 's/points="[^"]*"//' | sort -u | wc -l)" -eq "$1"
+}
+styles 12
+for beads in 1,2 1,2,3; do
+  accepts beadswim-plot trajectories eight.h5md --swimmers 0,2,4,6 --beads $beads
+  styles $((4 * ((${#beads} + 1) / 2)))
+done
+accepts beadswim-plot trajectories eight.h5md --swimmers 5 --beads 1,2,3
+styles 3
 
 # The bead moves along the page as it does in the run: from one end of the cycle to the other by v T.
 moved=$(jq '.swimmers[0].cycles[0].velocity[0] * 2000' cell.record)

@@ -10,7 +10,7 @@ namespace {
 
 std::vector<std::string> labels(const AxisScale& scale) {
   std::vector<std::string> result;
-  for (const double tick : scale.ticks) result.push_back(scale.tick_label(tick));
+  for (const Tick& tick : scale.ticks) result.push_back(tick.label);
   return result;
 }
 

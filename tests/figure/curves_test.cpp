@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <set>
-
 namespace beadswim {
 namespace {
 
@@ -55,7 +53,7 @@ TEST(Curves, UnusablePointsAreASeriesOfTheirOwnInTheNumbers) {
   curve.points[1].error = 0.5;
   Figure figure{.title = "", .panels = {Panel{.x_label = {"x"}, .y_label = {"y"}}}};
   append_marks_and_curves({}, {curve}, std::nullopt, figure.panels[0]);
-  EXPECT_EQ(figure_to_csv(figure),
+  EXPECT_EQ(draw(figure).csv,
             "y_name,y_unit,x_name,x_unit,series,x,y,y_error\n"
             "\"y\",\"\",\"x\",\"\",\"theory\",0,1,\n"
             "\"y\",\"\",\"x\",\"\",\"theory\",1,2,0.5\n"
@@ -65,7 +63,7 @@ TEST(Curves, UnusablePointsAreASeriesOfTheirOwnInTheNumbers) {
 
 TEST(Curves, LevelsReachFromEndToEndAndDifferInDashes) {
   Panel panel;
-  append_levels({{"a", 3}, {"b", 4}}, 0.6, 2.4, 1, panel);
+  append_levels({{"a", {{0, 3}}}, {"b", {{0, 4}}}}, 0.6, 2.4, 1, panel);
   EXPECT_THAT(panel.series[1].x, ElementsAre(0.6, 2.4));
   EXPECT_THAT(panel.series[1].y, ElementsAre(4, 4));
   EXPECT_NE(panel.series[0].dash, panel.series[1].dash);
@@ -90,19 +88,6 @@ TEST(Axes, SayWhetherValuesAreLeftOut) {
   set_axes(Axes::log_log, Axes::log_y, panel);
   EXPECT_EQ(panel.x_scale, ScaleKind::logarithmic);
   EXPECT_TRUE(has_omitted_values(panel));
-}
-
-// A dozen curves fit into a figure. The palette has 7 colours, and there are 6 dashes.
-TEST(BeadCurves, DifferInColourOrDash) {
-  for (const int num_beads : {1, 2, 3}) {
-    for (const int num_curves : {num_beads, 2 * num_beads, 12}) {
-      std::vector<Series> curves(static_cast<std::size_t>(num_curves));
-      style_bead_curves(num_beads, curves);
-      std::set<std::pair<int, int>> styles;
-      for (const Series& curve : curves) styles.emplace(curve.colour % 7, curve.dash % 6);
-      EXPECT_EQ(styles.size(), curves.size());
-    }
-  }
 }
 
 }  // namespace

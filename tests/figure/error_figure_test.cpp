@@ -58,10 +58,10 @@ TEST(ErrorFigure, SettingsLookAlikeInAllScenesAndHaveOneLegend) {
   const Figure figure = error_figure({one, other}, "core-seconds", {});
   EXPECT_EQ(figure.panels.at(0).series.at(1).label, figure.panels.at(1).series.at(0).label);
   EXPECT_EQ(figure.panels.at(0).series.at(1).colour, figure.panels.at(1).series.at(0).colour);
-  const std::string svg = figure_to_svg(figure);
+  const std::string svg = draw(figure).svg;
   for (const char* text : {">coarse<", ">front<", ">1 swimmer<", ">9 swimmers<"})
     EXPECT_TRUE(svg.find(text) != std::string::npos && svg.find(text) == svg.rfind(text)) << text;
-  EXPECT_THAT(figure_to_csv(figure), HasSubstr("error of the velocity (9 swimmers)"));
+  EXPECT_THAT(draw(figure).csv, HasSubstr("error of the velocity (9 swimmers)"));
 }
 
 TEST(ErrorFigure, LeavesOutAndCountsWhatNoLogarithmicAxisHolds) {

@@ -1,4 +1,4 @@
-#include "beadswim/figure/note.hpp"
+#include "beadswim/figure/drawing.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ void expect_notes_on_page(const std::string& svg, double bottom_of_drawing) {
 TEST(Note, NotesOfAFigureAreBelowThePanelAndInsideThePage) {
   Panel panel{.x_label = {"T"}, .y_label = {"v"}};
   for (int i = 0; i < 30; ++i) panel.series.push_back({.label = "lbm", .x = {1, 2}, .y = {1, 2}});
-  const std::string svg = figure_to_svg({.title = "Speed", .panels = {panel}, .notes = sixty_words()});
+  const std::string svg = draw(Figure{.title = "Speed", .panels = {panel}, .notes = sixty_words()}).svg;
   expect_notes_on_page(svg, 52 + 30 * 18);  // top of the panel, and its legend
 }
 
@@ -67,9 +67,10 @@ TEST(Note, LinesDoNotBreakInsideEquations) {
   const Panel panel{.x_label = {"T"}, .y_label = {"v"}, .series = {{.label = "", .x = {1, 2}, .y = {1, 2}}}};
   for (std::size_t before = 1; before < 15; ++before) {
     const std::string svg =
-        figure_to_svg({.title = "Speed",
-                       .panels = {panel},
-                       .notes = {{.text = repeated("beads", before) + "T = 4800, box 1 × 2 × 3"}}});
+        draw(Figure{.title = "Speed",
+                    .panels = {panel},
+                    .notes = {{.text = repeated("beads", before) + "T = 4800, box 1 × 2 × 3"}}})
+            .svg;
     EXPECT_THAT(svg, testing::HasSubstr("T = 4800,"));
     EXPECT_THAT(svg, testing::HasSubstr("1 × 2 × 3<"));
   }
@@ -79,13 +80,13 @@ TEST(Note, NotesOfASwarmAreInsideThePage) {
   SwarmPicture picture{.title = "Swarm", .box = {10, 200, 200}};
   picture.swimmers.push_back({.beads = {{{1, 1, 1}, 1}, {{3, 1, 1}, 1}, {{5, 1, 1}, 1}}});
   picture.notes = sixty_words();
-  expect_notes_on_page(swarm_picture_to_svg(picture), 44);
+  expect_notes_on_page(draw(picture).svg, 44);
 }
 
 TEST(Note, NotesOfASketchAreInsideThePage) {
   SwimmerSketch sketch{.title = "Swimmer", .radii = {4, 4, 4}, .rest_lengths = {9, 9}};
   sketch.notes = sixty_words();
-  expect_notes_on_page(swimmer_sketch_to_svg(sketch), 200);
+  expect_notes_on_page(draw(sketch).svg, 200);
 }
 
 }  // namespace

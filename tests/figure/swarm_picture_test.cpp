@@ -42,12 +42,12 @@ std::vector<Disc> discs(const std::string& svg) {
 }
 
 std::vector<Disc> discs_of(const std::vector<PicturedSwimmer>& swimmers) {
-  return discs(swarm_picture_to_svg(picture_of(swimmers)));
+  return discs(draw(picture_of(swimmers)).svg);
 }
 
 TEST(SwarmPicture, SamePictureGivesTheSameBytes) {
   const SwarmPicture picture = picture_of({swimmer_at({60, 40, 30}, 0), swimmer_at({60, 10, 30}, 1)});
-  EXPECT_EQ(swarm_picture_to_svg(picture), swarm_picture_to_svg(picture));
+  EXPECT_EQ(draw(picture).svg, draw(picture).svg);
 }
 
 TEST(SwarmPicture, XIsToTheRightAndZUp) {
@@ -83,8 +83,9 @@ TEST(SwarmPicture, ColoursWrapRound) {
 
 // What sticks out of a periodic box belongs to the page too.
 TEST(SwarmPicture, AllIsOnThePage) {
-  const std::string svg = swarm_picture_to_svg(
-      picture_of({swimmer_at({0, 0, 0}, 0), swimmer_at({120, 80, 60}, 1), swimmer_at({120, 0, 0}, 2)}));
+  const std::string svg =
+      draw(picture_of({swimmer_at({0, 0, 0}, 0), swimmer_at({120, 80, 60}, 1), swimmer_at({120, 0, 0}, 2)}))
+          .svg;
   std::smatch size;
   ASSERT_TRUE(std::regex_search(svg, size, std::regex(R"re(width="([\d.]+)" height="([\d.]+)")re")));
   for (const Disc& disc : discs(svg)) {
@@ -102,15 +103,15 @@ TEST(SwarmPicture, ScaleBarHasARoundLength) {
     SwarmPicture picture = picture_of({swimmer_at({1, 1, 1}, 0)});
     picture.box = {box, box, box};
     picture.length_unit = "um";
-    EXPECT_THAT(swarm_picture_to_svg(picture), HasSubstr(std::string(">") + text + "<")) << box;
+    EXPECT_THAT(draw(picture).svg, HasSubstr(std::string(">") + text + "<")) << box;
   }
 }
 
 TEST(SwarmPicture, KeysAndNotesAreWritten) {
   SwarmPicture picture = picture_of({swimmer_at({60, 40, 30}, 0)});
-  picture.keys = {{"a & b", 0}, {"c", 1}};
+  picture.keys = {"a & b", "c"};
   picture.notes.push_back({.text = "one box"});
-  const std::string svg = swarm_picture_to_svg(picture);
+  const std::string svg = draw(picture).svg;
   EXPECT_THAT(svg, HasSubstr(">a &amp; b<"));
   EXPECT_THAT(svg, HasSubstr(">one box<"));
   EXPECT_EQ(discs(svg).size(), 5U);
@@ -131,8 +132,8 @@ double attribute(const std::string& element, const std::string& name) {
 // Behind a near bead a name could not be read; above its bead it says whose it is.
 TEST(SwarmPicture, NamesAreDrawnLastAndAboveTheirBeads) {
   SwarmPicture picture = picture_of({swimmer_at({60, 70, 30}, 0), swimmer_at({60, 10, 30}, 1)});
-  picture.marks = {{"A", picture.swimmers[0].beads[1].centre, 4}};
-  const std::string svg = swarm_picture_to_svg(picture);
+  picture.marks = {{"A", picture.swimmers[0].beads[1]}};
+  const std::string svg = draw(picture).svg;
   const std::string name = text_element(svg, "A");
   ASSERT_FALSE(name.empty());
   EXPECT_GT(svg.find(name), svg.rfind("<circle class"));
@@ -146,7 +147,7 @@ TEST(SwarmPicture, DistancesRunFromBeadToBead) {
   SwarmPicture picture = picture_of({swimmer_at({60, 10, 30}, 0), swimmer_at({60, 50, 30}, 1)});
   const Vec3 from = picture.swimmers[0].beads[2].centre, to = picture.swimmers[1].beads[2].centre;
   picture.distances = {{"C_y = 40", from, to, {0, 0, -12}}};
-  const std::string svg = swarm_picture_to_svg(picture);
+  const std::string svg = draw(picture).svg;
   EXPECT_THAT(svg, HasSubstr("<tspan dy=\"3.50\" font-size=\"9.00\" stroke=\"none\">y</tspan>"));
   const std::string label = text_element(svg, "C<");
   ASSERT_FALSE(label.empty());
@@ -171,7 +172,7 @@ TEST(SwarmPicture, BondsJoinTheBeadsThatTheyName) {
   const PicturedSwimmer swimmer{
       .beads = {{{20, 40, 50}, 2}, {{40, 40, 20}, 4}, {{80, 40, 20}, 6}, {{60, 40, 50}, 8}},
       .bonds = {{1, 2}, {2, 3}, {3, 1}, {0, 1}}};
-  const std::string svg = swarm_picture_to_svg(picture_of({swimmer}));
+  const std::string svg = draw(picture_of({swimmer})).svg;
   std::vector<Disc> beads = discs(svg);
   std::ranges::sort(beads, {}, &Disc::radius);
   ASSERT_EQ(beads.size(), 4U);
@@ -189,21 +190,21 @@ TEST(SwarmPicture, BondsJoinTheBeadsThatTheyName) {
 // The width of bonds must not follow from a sphere, which has none.
 TEST(SwarmPicture, SpheresAndSwimmersShareAPicture) {
   const PicturedSwimmer sphere{.beads = {{{60, 40, 30}, 15}}, .colour = 3};
-  const std::string alone = swarm_picture_to_svg(picture_of({sphere}));
+  const std::string alone = draw(picture_of({sphere})).svg;
   EXPECT_EQ(discs(alone).size(), 1U);
   EXPECT_TRUE(bonds(alone).empty());
   const PicturedSwimmer swimmer = swimmer_at({60, 10, 30}, 1);
-  const std::string mixture = swarm_picture_to_svg(picture_of({sphere, swimmer}));
+  const std::string mixture = draw(picture_of({sphere, swimmer})).svg;
   EXPECT_EQ(discs(mixture).size(), 4U);
   EXPECT_EQ(bonds(mixture).size(), 2U);
   const auto style = [](const std::string& svg) {
     return svg.substr(svg.find("<style>"), svg.find("</style>") - svg.find("<style>"));
   };
-  EXPECT_EQ(style(mixture), style(swarm_picture_to_svg(picture_of({swimmer}))));
+  EXPECT_EQ(style(mixture), style(draw(picture_of({swimmer})).svg));
 }
 
 TEST(SwarmPicture, RefusesAnEmptySwarm) {
-  EXPECT_THROW(swarm_picture_to_svg(picture_of({})), InputError);
+  EXPECT_THROW(draw(picture_of({})), InputError);
 }
 
 }  // namespace

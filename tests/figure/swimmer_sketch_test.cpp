@@ -38,14 +38,14 @@ std::vector<Segment> lines(const std::string& svg, const std::string& colour) {
 const std::string force_colour = "#D55E00";
 
 TEST(SwimmerSketch, AllLabelsAreWritten) {
-  const std::string svg = swimmer_sketch_to_svg(sketch());
+  const std::string svg = draw(sketch()).svg;
   for (const char* label : {"r1", "r2", "r3", "f1", "f2", "f3", "l1", "l2", "k1", "k2"})
     EXPECT_THAT(svg, HasSubstr(">" + std::string(label) + "<"));
 }
 
 // The sum of the forces is zero, so that the one on the middle bead must point the other way.
 TEST(SwimmerSketch, MiddleForcePointsTheOtherWay) {
-  const auto forces = lines(swimmer_sketch_to_svg(sketch()), force_colour);
+  const auto forces = lines(draw(sketch()).svg, force_colour);
   ASSERT_EQ(forces.size(), 3U);
   EXPECT_GT(forces[0].x2, forces[0].x1);
   EXPECT_LT(forces[1].x2, forces[1].x1);
@@ -55,7 +55,7 @@ TEST(SwimmerSketch, MiddleForcePointsTheOtherWay) {
 TEST(SwimmerSketch, ForcesStandAtTheirAngleToTheAxis) {
   SwimmerSketch turned = sketch();
   turned.force_angle = std::numbers::pi / 2;
-  const auto forces = lines(swimmer_sketch_to_svg(turned), force_colour);
+  const auto forces = lines(draw(turned).svg, force_colour);
   ASSERT_EQ(forces.size(), 3U);
   EXPECT_NEAR(forces[0].x1, forces[0].x2, 0.01);
   EXPECT_LT(forces[0].y2, forces[0].y1);  // up, as y of a page goes down
@@ -67,10 +67,10 @@ TEST(SwimmerSketch, DashpotsAreDrawnWhereTheyAreLabelled) {
     const std::regex polyline("<polyline");
     return std::distance(std::sregex_iterator(svg.begin(), svg.end(), polyline), std::sregex_iterator());
   };
-  EXPECT_EQ(polylines(swimmer_sketch_to_svg(damped)), 2);
+  EXPECT_EQ(polylines(draw(damped).svg), 2);
   damped.dashpot_labels[1] = "c2";
-  EXPECT_EQ(polylines(swimmer_sketch_to_svg(damped)), 3);
-  EXPECT_THAT(swimmer_sketch_to_svg(damped), HasSubstr(">c2<"));
+  EXPECT_EQ(polylines(draw(damped).svg), 3);
+  EXPECT_THAT(draw(damped).svg, HasSubstr(">c2<"));
 }
 
 // Over the beads a label could not be read.
@@ -80,9 +80,9 @@ TEST(SwimmerSketch, LabelsWithoutRoomBetweenBeadsStandBelowTheLengths) {
     return std::stod(svg.substr(start + 4));
   };
   SwimmerSketch close = sketch();
-  EXPECT_LT(height_of(swimmer_sketch_to_svg(close), "k1"), height_of(swimmer_sketch_to_svg(close), "l1"));
+  EXPECT_LT(height_of(draw(close).svg, "k1"), height_of(draw(close).svg, "l1"));
   close.rest_lengths = {8.5, 8.5};
-  const std::string svg = swimmer_sketch_to_svg(close);
+  const std::string svg = draw(close).svg;
   EXPECT_GT(height_of(svg, "k1"), height_of(svg, "l1"));
 }
 

@@ -2,17 +2,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
 #include <memory>
+#include <set>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
-#include "flags.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
 #include "result_series.hpp"
-#include "study_map.hpp"
 
-// Figures of a study: a result against a quantity that beadswim-layout vary has varied.
+// Figures of a study: a result against a quantity that beadswim-layout vary has varied, or a map of a result
+// over two such quantities, with a rectangle per layout.
 
 namespace beadswim {
 
@@ -29,23 +32,18 @@ struct AgainstFlags {
   std::string y = "velocity";            ///< a result; for a map a quantity of the study
   std::optional<ResultQuantity> colour;  ///< result that a map shows
   LogAxes log = LogAxes::none;
-  ResultFlags results;
-
-  ScaleKind x_scale() const { return scale(log == LogAxes::x || log == LogAxes::xy); }
-  ScaleKind y_scale() const { return scale(log == LogAxes::y || log == LogAxes::xy); }
-
- private:
-  static ScaleKind scale(bool is_log) { return is_log ? ScaleKind::logarithmic : ScaleKind::linear; }
+  InputChoice choice;
 };
 
-/// Returns all numbers of a quantity that the figure draws.
-std::vector<DrawnNumber> numbers_of(ResultQuantity quantity, const DrawnResults& drawn) {
-  std::vector<DrawnNumber> numbers;
-  for (std::size_t i = 0; i < max_numbers(drawn, quantity); ++i) {
-    const std::string symbol = arm_symbol(quantity, i);
-    numbers.push_back({.quantity = quantity, .number = i, .after = symbol.empty() ? "" : ", " + symbol});
-  }
-  return numbers;
+/// Returns a panel without data, which has the scales of the flags.
+Panel empty_panel(const AgainstFlags& flags, const Units& units, const AxisLabel& y_label) {
+  const auto scale = [&](LogAxes axis) {
+    return flags.log == axis || flags.log == LogAxes::xy ? ScaleKind::logarithmic : ScaleKind::linear;
+  };
+  return {.x_label = axis_label({.study = flags.x}, units),
+          .y_label = y_label,
+          .x_scale = scale(LogAxes::x),
+          .y_scale = scale(LogAxes::y)};
 }
 
 bool has_errors(const Series& series) {
@@ -53,20 +51,107 @@ bool has_errors(const Series& series) {
 }
 
 Figure against_figure(const PlotInputs& inputs, ResultQuantity quantity, const AgainstFlags& flags) {
-  const Abscissa abscissa{.study = flags.x};
-  Panel panel{.x_label = axis_label(abscissa, inputs.units),
-              .y_label = result_label(quantity, inputs.units),
-              .x_scale = flags.x_scale(),
-              .y_scale = flags.y_scale()};
-  const DrawnResults drawn = results_against(
-      inputs, {.abscissa = abscissa, .cycle = flags.results.cycle_choice(), .group_by = flags.group_by});
-  append(drawn, numbers_of(quantity, drawn), panel);
+  Panel panel = empty_panel(flags, inputs.units, result_label(quantity, inputs.units));
+  const DrawnResults drawn = results_against(inputs, {.study = flags.x}, flags.choice.cycle, flags.group_by);
+  std::vector<DrawnNumber> numbers;
+  for (std::size_t i = 0; i < max_numbers(drawn, quantity); ++i) {
+    const std::string symbol = arm_symbol(quantity, i);
+    numbers.push_back({.quantity = quantity, .number = i, .after = symbol.empty() ? "" : ", " + symbol});
+  }
+  append(drawn, numbers, panel);
   std::vector<Note> notes{reading_note(inputs)};
   if (std::ranges::any_of(panel.series, has_errors))
     notes.push_back({.text = "Bars and bands: uncertainties that runs and predictions state."});
   if (has_omitted_values(panel)) notes.push_back({.text = "Lines break where values are not positive."});
   const std::string title = capitalised(fmt::format("{} against {}", panel.y_label.quantity, flags.x));
   return {.title = title, .panels = {std::move(panel)}, .notes = notes};
+}
+
+using Point = std::pair<double, double>;
+
+/// Values of a map at their points (x, y), one element per number of the result.
+using MapValues = std::vector<std::map<Point, double>>;
+
+/// Adds the values of a document. Throws InputError if there is a value at its point already.
+void add_to_map(const Results& results, const Json& study, const AgainstFlags& flags,
+                const std::string& source, MapValues& map) {
+  const Point point{number_in_study(study, flags.x, source, "--x"),
+                    number_in_study(study, flags.y, source, "--y")};
+  const auto found = results.find(*flags.colour);
+  const std::size_t count = found == results.end() ? 0 : found->second.numbers.size();
+  map.resize(std::max(map.size(), count));
+  for (std::size_t i = 0; i < count; ++i) {
+    if (map[i].emplace(point, found->second.numbers[i]).second) continue;
+    throw InputError(source,
+                     fmt::format("a second value for {} = {:g}, {} = {:g}; a map shows one value per point: "
+                                 "name one method with --method, or files of one study and one model",
+                                 flags.x, point.first, flags.y, point.second));
+  }
+}
+
+/// Returns the edges between sorted places and beyond the first and the last, in the middle between
+/// neighbours on an axis of this scale.
+std::vector<double> edges_of(const std::set<double>& places, ScaleKind scale) {
+  const bool is_log = scale == ScaleKind::logarithmic;
+  std::vector<double> at, edges;
+  for (const double place : places) at.push_back(is_log ? std::log(place) : place);
+  const auto spacing = [&](std::size_t i) { return at.size() > 1 ? at[i + 1] - at[i] : 1; };
+  edges.push_back(at.front() - spacing(0) / 2);
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) edges.push_back((at[i] + at[i + 1]) / 2);
+  edges.push_back(at.back() + spacing(at.size() > 1 ? at.size() - 2 : 0) / 2);
+  if (is_log)
+    for (double& edge : edges) edge = std::exp(edge);
+  return edges;
+}
+
+/// Returns the rectangles of a panel whose scales are set. Throws InputError if a logarithmic axis would have
+/// places that are not positive.
+std::vector<MapCell> cells_of(const std::map<Point, double>& values, const Panel& panel) {
+  std::set<double> xs, ys;
+  for (const auto& [point, value] : values) {
+    xs.insert(point.first);
+    ys.insert(point.second);
+  }
+  for (const auto& [places, scale] : {std::pair(&xs, panel.x_scale), std::pair(&ys, panel.y_scale)})
+    if (scale == ScaleKind::logarithmic && *places->begin() <= 0)
+      throw InputError("--log", "a logarithmic axis needs values above 0; leave the flag out");
+  const std::vector<double> x_edges = edges_of(xs, panel.x_scale), y_edges = edges_of(ys, panel.y_scale);
+  std::vector<MapCell> cells;
+  for (const auto& [point, value] : values) {
+    if (!std::isfinite(value)) continue;
+    const auto i = static_cast<std::size_t>(std::distance(xs.begin(), xs.find(point.first)));
+    const auto j = static_cast<std::size_t>(std::distance(ys.begin(), ys.find(point.second)));
+    cells.push_back({.x = point.first,
+                     .y = point.second,
+                     .value = value,
+                     .x_low = x_edges[i],
+                     .x_high = x_edges[i + 1],
+                     .y_low = y_edges[j],
+                     .y_high = y_edges[j + 1]});
+  }
+  return cells;
+}
+
+Figure map_figure(const PlotInputs& inputs, const AgainstFlags& flags) {
+  MapValues map;
+  for (const auto& run : inputs.runs)
+    add_to_map(results_of(run.record, run.record.swimmers.front(), flags.choice.cycle, run.source),
+               run.study(), flags, run.source, map);
+  for (const PlottedPrediction& plotted : inputs.predictions)
+    add_to_map(plotted.results(), plotted.document.study, flags, plotted.source, map);
+  const auto [quantity, unit] = result_label(*flags.colour, inputs.units);
+  const std::string by = inputs.runs.empty() ? inputs.methods.front() : inputs.runs.front().record.model;
+  Figure figure{.title = capitalised(fmt::format("{} against {} and {}", quantity, flags.x, flags.y)),
+                .panels = {},
+                .notes = {{.text = fmt::format("Each rectangle is one layout of the study, by {}.", by)}}};
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    Panel panel = empty_panel(flags, inputs.units, axis_label({.study = flags.y}, inputs.units));
+    const std::string symbol = arm_symbol(*flags.colour, i);
+    panel.value_label = {symbol.empty() ? quantity : symbol, unit};
+    panel.cells = cells_of(map[i], panel);
+    figure.panels.push_back(std::move(panel));
+  }
+  return figure;
 }
 
 ResultQuantity result_named(const std::string& name) {
@@ -76,24 +161,18 @@ ResultQuantity result_named(const std::string& name) {
 }
 
 Figure drawn_figure(const PlotFiles& files, const AgainstFlags& flags) {
-  const CycleChoice cycle = flags.results.cycle_choice();
   if (!flags.colour) {
     const ResultQuantity result = result_named(flags.y);
-    return against_figure(read_plot_inputs(files.inputs, flags.results.methods, cycle), result, flags);
+    return against_figure(read_plot_inputs(files.inputs, flags.choice), result, flags);
   }
   if (!flags.group_by.empty())
     throw InputError("--group-by", "a map shows one value per point; leave the flag out");
-  return map_figure(read_plot_inputs(files.inputs, flags.results.methods, cycle), {.x = flags.x,
-                                                                                   .y = flags.y,
-                                                                                   .x_scale = flags.x_scale(),
-                                                                                   .y_scale = flags.y_scale(),
-                                                                                   .colour = *flags.colour,
-                                                                                   .cycle = cycle});
+  return map_figure(read_plot_inputs(files.inputs, flags.choice), flags);
 }
 
 }  // namespace
 
-Drawing add_against_flags(CLI::App& command) {
+DrawFigure add_against_flags(CLI::App& command) {
   const auto flags = std::make_shared<AgainstFlags>();
   command
       .add_option("--x", flags->x,
@@ -114,10 +193,10 @@ Drawing add_against_flags(CLI::App& command) {
       ->type_name("NAME")
       ->default_str("none");
   add_choice(command, "--log", flags->log, "Logarithmic axes");
-  add_result_flags(command, flags->results);
+  add_result_flags(command, flags->choice);
   command.footer("Results:\n" + wrapped(fmt::format("{}", fmt::join(all_names<ResultQuantity>(), ", ")), 2) +
                  "\n");
-  return [flags](const PlotFiles& files) { return Drawn(drawn_figure(files, *flags)); };
+  return [flags](const PlotFiles& files) { return draw(drawn_figure(files, *flags)); };
 }
 
 }  // namespace beadswim

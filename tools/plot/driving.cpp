@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "beadswim/core/error.hpp"
-#include "flags.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
 #include "result_series.hpp"
@@ -21,7 +20,7 @@ namespace {
 // prediction by this method at the same period or separation, in percent of the prediction.
 
 struct VelocityFlags {
-  ResultFlags results;
+  InputChoice choice;
   Axes axes = Axes::automatic;
 };
 
@@ -34,20 +33,20 @@ const Prediction& reference_at(const PlotInputs& inputs, AbscissaKind abscissa, 
   const PlottedPrediction* found = nullptr;
   for (const PlottedPrediction& reference : inputs.references) {
     if (std::abs(abscissa_of(reference, {abscissa}) - x) > tolerance * std::abs(x)) continue;
-    if (found != nullptr && found->prediction.velocity != reference.prediction.velocity) {
+    if (found != nullptr && found->prediction().velocity != reference.prediction().velocity) {
       throw InputError(reference.source,
                        fmt::format("the predicted velocity differs from the velocity in {}, although both "
                                    "predictions are by {} at {} = {:g}; give only one of the two files",
-                                   found->source, reference.prediction.method, to_text(abscissa), x));
+                                   found->source, reference.prediction().method, to_text(abscissa), x));
     }
     found = &reference;
   }
-  if (found != nullptr) return found->prediction;
+  if (found != nullptr) return found->prediction();
   throw InputError(
       source,
       fmt::format(
           "there is no prediction by {} at {} = {:g} to compare the velocity with; add such a prediction",
-          inputs.references.front().prediction.method, to_text(abscissa), x));
+          inputs.references.front().prediction().method, to_text(abscissa), x));
 }
 
 /// Returns the relation to the reference: 100 (v / v_reference - 1) [%].
@@ -62,24 +61,22 @@ Relation relation_to_reference(const PlotInputs& inputs, AbscissaKind abscissa) 
 }
 
 Figure velocity_figure(const PlotInputs& inputs, AbscissaKind abscissa, const VelocityFlags& flags) {
-  const std::string& relative_to = flags.results.methods.relative_to;
+  const std::string& relative_to = flags.choice.relative_to;
   const bool is_relative = !relative_to.empty(), by_period = abscissa == AbscissaKind::period;
   if (is_relative && !by_period && !inputs.runs.empty())
     throw InputError(inputs.runs.front().source,
                      "the file is a run record, and with --relative-to run records can be drawn only with "
                      "--against period; leave out this file or --relative-to");
-  const ResultQuantity velocity = ResultQuantity::velocity;
   Panel panel{.x_label = axis_label({abscissa}, inputs.units),
               .y_label = is_relative ? AxisLabel{"difference in velocity", "%"}
-                                     : result_label(velocity, inputs.units)};
-  append(results_against(inputs, {.abscissa = {abscissa}, .cycle = flags.results.cycle_choice()}),
-         {{.quantity = velocity}}, panel, is_relative ? relation_to_reference(inputs, abscissa) : Relation());
+                                     : result_label(ResultQuantity::velocity, inputs.units)};
+  append(results_against(inputs, {abscissa}, flags.choice.cycle), {{.quantity = ResultQuantity::velocity}},
+         panel, is_relative ? relation_to_reference(inputs, abscissa) : Relation());
   set_axes(flags.axes, by_period ? Axes::log_y : Axes::log_log, panel);
-  std::vector<Note> notes{reading_note(inputs)};
+  std::vector<Note> notes = notes_against(inputs, abscissa);
   if (is_relative) notes.front().text = fmt::format("Marks and lines at 0 % agree with {}.", relative_to);
-  std::ranges::move(prediction_notes(inputs, abscissa), std::back_inserter(notes));
-  if (has_omitted_values(panel)) notes.push_back({.text = "Lines break where the velocity is not positive."});
-  notes.push_back(run_note(inputs, abscissa));
+  if (has_omitted_values(panel))
+    notes.insert(notes.end() - 1, {.text = "Lines break where the velocity is not positive."});
   const std::string relative = is_relative ? fmt::format(" relative to {},", relative_to) : "";
   return {.title = fmt::format("Swimming velocity{} against {}", relative,
                                by_period ? "driving period" : "separation of the beads"),
@@ -87,11 +84,11 @@ Figure velocity_figure(const PlotInputs& inputs, AbscissaKind abscissa, const Ve
           .notes = notes};
 }
 
-Drawing add_velocity_flags(CLI::App& command, AbscissaKind abscissa) {
+DrawFigure add_velocity_flags(CLI::App& command, AbscissaKind abscissa) {
   const auto flags = std::make_shared<VelocityFlags>();
-  add_result_flags(command, flags->results);
+  add_result_flags(command, flags->choice);
   command
-      .add_option("--relative-to", flags->results.methods.relative_to,
+      .add_option("--relative-to", flags->choice.relative_to,
                   "Theory method with which each velocity is compared: the figure shows the relative "
                   "difference from its prediction at the same period or separation [%]")
       ->type_name("METHOD")
@@ -100,16 +97,14 @@ Drawing add_velocity_flags(CLI::App& command, AbscissaKind abscissa) {
              std::string("Axes; auto is ") + (abscissa == AbscissaKind::period ? "log-y" : "log-log") +
                  " where velocities are positive and span over two decades, else linear");
   return [flags, abscissa](const PlotFiles& files) {
-    return Drawn(
-        velocity_figure(read_plot_inputs(files.inputs, flags->results.methods, flags->results.cycle_choice()),
-                        abscissa, *flags));
+    return draw(velocity_figure(read_plot_inputs(files.inputs, flags->choice), abscissa, *flags));
   };
 }
 
 // --- Stroke: arm amplitudes, and the sine of the phase shift, sin(δ₁ - δ₂)
 
 struct StrokeFlags {
-  ResultFlags results;
+  InputChoice choice;
   std::optional<AbscissaKind> against{};  ///< nullopt: the cycle
   std::vector<int> bonds;                 ///< numbers from 1; empty: all bonds
 };
@@ -147,9 +142,8 @@ std::vector<DrawnNumber> amplitudes_of(std::vector<int> wanted, std::size_t bond
 }
 
 /// Appends the panel of the numbers. Legends omit series of swimmers that lack the bonds of the panel.
-void add_panel(const DrawnResults& drawn, const std::vector<DrawnNumber>& numbers, const Units& units,
+void add_panel(const DrawnResults& drawn, const std::vector<DrawnNumber>& numbers, Panel panel,
                Figure& figure) {
-  Panel panel{.x_label = {}, .y_label = result_label(numbers.front().quantity, units)};
   for (const DrawnNumber& number : numbers) append(drawn, {number}, panel);
   const auto is_finite = [](double number) { return std::isfinite(number); };
   for (Series& series : panel.series)
@@ -157,29 +151,34 @@ void add_panel(const DrawnResults& drawn, const std::vector<DrawnNumber>& number
   figure.panels.push_back(std::move(panel));
 }
 
-void add_panels(const DrawnResults& drawn, const StrokeFlags& flags, const Units& units, Figure& figure) {
+Figure stroke_figure(const PlotInputs& inputs, const StrokeFlags& flags) {
+  const bool by_cycle = !flags.against;
+  const DrawnResults drawn =
+      by_cycle ? results_by_cycle(inputs) : results_against(inputs, {*flags.against}, flags.choice.cycle);
+  if (by_cycle && !drawn.level)
+    throw InputError("stroke",
+                     "no run with a complete cycle is given; add the record of such a run, or draw "
+                     "predictions with --against amplitude-ratio or phase");
   const std::size_t bonds = max_numbers(drawn, ResultQuantity::arm_amplitudes);
   if (bonds == 0)
     throw InputError("stroke",
                      "no swimmer has a bond, and so none has a stroke; draw its motion with beadswim-plot "
                      "trajectories");
-  add_panel(drawn, amplitudes_of(flags.bonds, bonds), units, figure);
-  if (bonds == 1) return;
-  add_panel(drawn, {{.quantity = ResultQuantity::sin_phase_shift, .before = "sin(δ₁ − δ₂), ", .colour = 2}},
-            units, figure);
-}
-
-Figure stroke_by_cycle(const PlotInputs& inputs, const StrokeFlags& flags) {
-  const DrawnResults drawn = results_by_cycle(inputs);
-  if (!drawn.level)
-    throw InputError("stroke",
-                     "no run with a complete cycle is given; add the record of such a run, or draw "
-                     "predictions with --against amplitude-ratio or phase");
-  Figure figure{.title = "Stroke by cycle", .panels = {}};
-  add_panels(drawn, flags, inputs.units, figure);
-  for (Panel& panel : figure.panels) {
-    panel.x_label = {"cycle"};
-    panel.x_ticks = TickKind::integers;
+  const auto panel_of = [&](ResultQuantity quantity) {
+    return Panel{.x_label = by_cycle ? AxisLabel{"cycle"} : axis_label({*flags.against}, inputs.units),
+                 .y_label = result_label(quantity, inputs.units),
+                 .x_ticks = by_cycle ? TickKind::integers : TickKind::any};
+  };
+  Figure figure{.title = by_cycle ? "Stroke by cycle"
+                                  : "Stroke against " + axis_label({*flags.against}, inputs.units).quantity,
+                .panels = {}};
+  add_panel(drawn, amplitudes_of(flags.bonds, bonds), panel_of(ResultQuantity::arm_amplitudes), figure);
+  if (bonds > 1)
+    add_panel(drawn, {{.quantity = ResultQuantity::sin_phase_shift, .before = "sin(δ₁ − δ₂), ", .colour = 2}},
+              panel_of(ResultQuantity::sin_phase_shift), figure);
+  if (!by_cycle) {
+    figure.notes = notes_against(inputs, *flags.against);
+    return figure;
   }
   figure.notes = {
       {.text = inputs.predictions.empty()
@@ -190,31 +189,19 @@ Figure stroke_by_cycle(const PlotInputs& inputs, const StrokeFlags& flags) {
   return figure;
 }
 
-Figure stroke_against(const PlotInputs& inputs, const StrokeFlags& flags, AbscissaKind abscissa) {
-  const AxisLabel x_label = axis_label({abscissa}, inputs.units);
-  Figure figure{.title = "Stroke against " + x_label.quantity, .panels = {}};
-  add_panels(results_against(inputs, {.abscissa = {abscissa}, .cycle = flags.results.cycle_choice()}), flags,
-             inputs.units, figure);
-  for (Panel& panel : figure.panels) panel.x_label = x_label;
-  figure.notes = prediction_notes(inputs, abscissa);
-  figure.notes.insert(figure.notes.begin(), reading_note(inputs));
-  figure.notes.push_back(run_note(inputs, abscissa));
-  return figure;
-}
-
 }  // namespace
 
-Drawing add_period_flags(CLI::App& command) {
+DrawFigure add_period_flags(CLI::App& command) {
   return add_velocity_flags(command, AbscissaKind::period);
 }
 
-Drawing add_separation_flags(CLI::App& command) {
+DrawFigure add_separation_flags(CLI::App& command) {
   return add_velocity_flags(command, AbscissaKind::separation_ratio);
 }
 
-Drawing add_stroke_flags(CLI::App& command) {
+DrawFigure add_stroke_flags(CLI::App& command) {
   const auto flags = std::make_shared<StrokeFlags>();
-  add_result_flags(command, flags->results);
+  add_result_flags(command, flags->choice);
   add_word(command, "--against", {"cycle", "amplitude-ratio", "phase"}, "cycle",
            "Quantity on the horizontal axis: the cycle (predictions are then horizontal lines), the ratio "
            "A/B of the driving amplitudes, or the driving phase alpha",
@@ -228,11 +215,9 @@ Drawing add_stroke_flags(CLI::App& command) {
       ->type_name("N,...")
       ->default_str("all");
   return [flags](const PlotFiles& files) {
-    const CycleChoice cycle = flags->results.cycle_choice();
-    const PlotInputs inputs =
-        read_plot_inputs(files.inputs, flags->results.methods, flags->against ? cycle : CycleChoice{});
-    return Drawn(flags->against ? stroke_against(inputs, *flags, *flags->against)
-                                : stroke_by_cycle(inputs, *flags));
+    InputChoice choice = flags->choice;
+    if (!flags->against) choice.cycle = {};  // all cycles are drawn
+    return draw(stroke_figure(read_plot_inputs(files.inputs, choice), *flags));
   };
 }
 

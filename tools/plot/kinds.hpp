@@ -1,15 +1,14 @@
 #pragma once
 
-#include <array>
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "beadswim/figure/figure.hpp"
-#include "beadswim/figure/swarm_picture.hpp"
-#include "beadswim/figure/swimmer_sketch.hpp"
-#include "beadswim/tools/program.hpp"
+#include "beadswim/figure/drawing.hpp"
+#include "beadswim/tools/named_flags.hpp"
+#include "plot_inputs.hpp"
+
+// Kinds of figures, and the flags that several kinds share. Each kind is a command of the program.
 
 namespace beadswim {
 
@@ -20,40 +19,32 @@ struct PlotFiles {
   std::string data;  ///< file of the numbers drawn; empty: none
 };
 
-/// A drawn figure: SVG, and its numbers as comma-separated values.
-struct Drawn {
-  Drawn(const Figure& figure) : svg(figure_to_svg(figure)), csv(figure_to_csv(figure)) {}
-  Drawn(const SwarmPicture& picture)
-      : svg(swarm_picture_to_svg(picture)), csv(swarm_picture_to_csv(picture)) {}
-  Drawn(const SwimmerSketch& sketch)
-      : svg(swimmer_sketch_to_svg(sketch)), csv(swimmer_sketch_to_csv(sketch)) {}
-
-  std::string svg, csv;
-};
-
 /// Reads the inputs and draws the figure. Throws InputError for invalid inputs.
-using Drawing = std::function<Drawn(const PlotFiles&)>;
+using DrawFigure = std::function<Drawing(const PlotFiles&)>;
 
-/// A kind of figure. Each kind is a command of the program.
-struct PlotKind {
-  const char* name;
-  const char* description;
-  const char* inputs;                       ///< help on the input files
-  Drawing (*add_flags)(CLI::App& command);  ///< adds flags, and returns the function that draws
-  std::array<const char*, 2> examples;      ///< examples at the end of the help
-};
+// Add the flags of a kind, and return the function that draws.
+DrawFigure add_against_flags(CLI::App& command);
+DrawFigure add_stroke_flags(CLI::App& command);
+DrawFigure add_period_flags(CLI::App& command);
+DrawFigure add_separation_flags(CLI::App& command);
+DrawFigure add_speed_flags(CLI::App& command);
+DrawFigure add_trajectory_flags(CLI::App& command);
+DrawFigure add_swarm_flags(CLI::App& command);
+DrawFigure add_swimmer_flags(CLI::App& command);
+DrawFigure add_product_flags(CLI::App& command);
 
-Drawing add_against_flags(CLI::App& command);
-Drawing add_stroke_flags(CLI::App& command);
-Drawing add_period_flags(CLI::App& command);
-Drawing add_separation_flags(CLI::App& command);
-Drawing add_speed_flags(CLI::App& command);
-Drawing add_trajectory_flags(CLI::App& command);
-Drawing add_swarm_flags(CLI::App& command);
-Drawing add_swimmer_flags(CLI::App& command);
-Drawing add_product_flags(CLI::App& command);
+/// Adds the flags --method, which selects the methods whose predictions are drawn, and --cycle, which selects
+/// the cycles of runs.
+void add_result_flags(CLI::App& command, InputChoice& choice);
 
-/// Returns all kinds, in the order of the program's help.
-std::span<const PlotKind> plot_kinds();
+/// Ids of swimmers, or numbers of frames.
+CLI::Validator id_or_frame_number();
+
+/// Adds a flag whose value is a list of whole numbers, joined by commas. `check`: number_list() of them.
+CLI::Option* add_whole_numbers(CLI::App& command, const std::string& flag, std::vector<int>& numbers,
+                               const CLI::Validator& check, const std::string& help);
+
+/// Adds the flag --swimmers, which lists ids of swimmers.
+CLI::Option* add_swimmers(CLI::App& command, std::vector<int>& ids, const std::string& help);
 
 }  // namespace beadswim

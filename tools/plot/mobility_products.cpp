@@ -84,8 +84,8 @@ Figure product_figure(const std::vector<std::string>& files) {
 
 }  // namespace
 
-Drawing add_product_flags(CLI::App&) {
-  return [](const PlotFiles& files) { return Drawn(product_figure(files.inputs)); };
+DrawFigure add_product_flags(CLI::App&) {
+  return [](const PlotFiles& files) { return draw(product_figure(files.inputs)); };
 }
 
 }  // namespace beadswim

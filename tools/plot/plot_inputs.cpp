@@ -18,14 +18,12 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-constexpr const char* all_methods = "all";
-
 bool contains(const Names& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
 /// Returns the usable prediction with the best method, in the order of preference of beadswim-compare.
-Prediction best_prediction(const PredictionDocument& document, const std::string& source) {
+const Prediction& best_prediction(const PredictionDocument& document, const std::string& source) {
   std::vector<Reference> references;
   for (const Prediction& prediction : document.predictions) {
     references.push_back({.source = source,
@@ -41,36 +39,22 @@ Prediction best_prediction(const PredictionDocument& document, const std::string
   return document.predictions[*best];
 }
 
-PlottedPrediction plotted(const PredictionDocument& document, const std::string& source,
-                          const Prediction& prediction) {
-  return {.source = source,
-          .prediction = prediction,
-          .swimmer = document.swimmer,
-          .study = document.study,
-          .scene = document.scene};
+PlottedPrediction plotted(PredictionDocument document, const std::string& source, Prediction prediction) {
+  document.predictions = {std::move(prediction)};
+  return {source, std::move(document)};
 }
 
 /// Appends the predictions by the methods in `methods`, in this order, to `result`.
 void append_named(const PredictionDocument& document, const std::string& source, const Names& methods,
                   std::vector<PlottedPrediction>& result) {
-  for (const std::string& method : methods) {
-    for (const Prediction& prediction : document.predictions) {
+  for (const std::string& method : methods)
+    for (const Prediction& prediction : document.predictions)
       if (prediction.method == method) result.push_back(plotted(document, source, prediction));
-    }
-  }
 }
 
 /// Adds the method of a prediction to the names, which are in the order of first predictions.
 void add_method(const Prediction& prediction, Names& methods) {
   if (!contains(methods, prediction.method)) methods.push_back(prediction.method);
-}
-
-Names methods_in(const std::vector<SourceDocument>& documents) {
-  Names methods;
-  for (const SourceDocument& file : documents)
-    if (const auto* document = std::get_if<PredictionDocument>(&file.document))
-      for (const Prediction& prediction : document->predictions) add_method(prediction, methods);
-  return methods;
 }
 
 /// Throws InputError if no prediction was made by the method. `flag`: flag that names the method, for the
@@ -87,9 +71,14 @@ void require_known(const std::string& method, const std::string& flag, const Nam
                         format_suggestion(method, known), fmt::join(known, ", ")));
 }
 
-/// Replaces the method name "all" by all known methods. Throws InputError if a named method is not known.
-MethodChoice resolve_methods(MethodChoice choice, const Names& known) {
-  if (choice.methods == Names{all_methods}) choice.methods = known;
+/// Replaces the method name "all" by the methods of all documents. Throws InputError if none of them has a
+/// named method.
+InputChoice resolve_methods(InputChoice choice, const std::vector<SourceDocument>& documents) {
+  Names known;
+  for (const SourceDocument& file : documents)
+    if (const auto* document = std::get_if<PredictionDocument>(&file.document))
+      for (const Prediction& prediction : document->predictions) add_method(prediction, known);
+  if (choice.methods == Names{"all"}) choice.methods = known;
   for (const std::string& method : choice.methods) require_known(method, "--method", known);
   if (!choice.relative_to.empty()) require_known(choice.relative_to, "--relative-to", known);
   return choice;
@@ -134,16 +123,6 @@ void append(RunRecord run, const std::string& source, const CycleChoice& cycle, 
   inputs.runs.push_back({source, std::move(run)});
 }
 
-void append(const PredictionDocument& document, const std::string& source, const MethodChoice& choice,
-            PlotInputs& inputs) {
-  if (choice.methods.empty()) {
-    inputs.predictions.push_back(plotted(document, source, best_prediction(document, source)));
-  } else {
-    append_named(document, source, choice.methods, inputs.predictions);
-  }
-  append_named(document, source, {choice.relative_to}, inputs.references);
-}
-
 }  // namespace
 
 void require_same_units(const Units& units, const std::string& source, const Units& first,
@@ -167,36 +146,41 @@ void report_left_out(int left_out, int documents) {
                                 left_out, documents));
 }
 
-std::vector<Json> studies_of(const PlotInputs& inputs) {
+std::vector<Json> PlotInputs::studies() const {
   std::vector<Json> studies;
-  for (const PlottedRun& run : inputs.runs) studies.push_back(study_of(run));
-  for (const PlottedPrediction& plotted : inputs.predictions) studies.push_back(plotted.study);
+  for (const PlottedRun& run : runs) studies.push_back(run.study());
+  for (const PlottedPrediction& plotted : predictions) studies.push_back(plotted.document.study);
   std::erase_if(studies, [](const Json& study) { return !study.is_object(); });
   return studies;
 }
 
-Results results_of(const PlottedPrediction& plotted) {
-  return results_of(plotted.prediction, plotted.scene ? &*plotted.scene : nullptr, plotted.swimmer);
+Results PlottedPrediction::results() const {
+  return results_of(prediction(), document.scene ? &*document.scene : nullptr, document.swimmer);
 }
 
-PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& wanted,
-                            const CycleChoice& cycle) {
+PlotInputs read_plot_inputs(const std::vector<std::string>& files, const InputChoice& wanted) {
   int left_out = 0;
   std::vector<SourceDocument> documents = read_documents(files, left_out);
   const int count = static_cast<int>(documents.size()) + left_out;
+  PlotInputs inputs{.units = units_of(documents.front().document)};
   for (const SourceDocument& file : documents)
-    require_same_units(units_of(file.document), file.source, units_of(documents.front().document),
-                       documents.front().source);
-  const MethodChoice choice = resolve_methods(wanted, methods_in(documents));
-  PlotInputs inputs;
-  inputs.units = units_of(documents.front().document);
+    require_same_units(units_of(file.document), file.source, inputs.units, documents.front().source);
+  const InputChoice choice = resolve_methods(wanted, documents);
+  inputs.methods = choice.methods;
   std::optional<InputError> reason;
   for (SourceDocument& file : documents) {
     try {
-      if (auto* run = std::get_if<RunRecord>(&file.document))
-        append(std::move(*run), file.source, cycle, inputs);
-      else
-        append(std::get<PredictionDocument>(file.document), file.source, choice, inputs);
+      if (auto* run = std::get_if<RunRecord>(&file.document)) {
+        append(std::move(*run), file.source, choice.cycle, inputs);
+        continue;
+      }
+      const auto& document = std::get<PredictionDocument>(file.document);
+      if (choice.methods.empty()) {
+        inputs.predictions.push_back(plotted(document, file.source, best_prediction(document, file.source)));
+        add_method(inputs.predictions.back().prediction(), inputs.methods);
+      }
+      append_named(document, file.source, choice.methods, inputs.predictions);
+      append_named(document, file.source, {choice.relative_to}, inputs.references);
     } catch (const InputError& error) {
       if (!reason) reason = error;
       ++left_out;
@@ -204,10 +188,6 @@ PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodC
   }
   if (reason && inputs.runs.empty() && inputs.predictions.empty()) throw *reason;
   report_left_out(left_out, count);
-  inputs.methods = choice.methods;
-  if (choice.methods.empty())
-    for (const PlottedPrediction& plotted : inputs.predictions)
-      add_method(plotted.prediction, inputs.methods);
   return inputs;
 }
 

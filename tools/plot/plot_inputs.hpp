@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,49 +14,45 @@ namespace beadswim {
 struct PlottedRun {
   std::string source;
   RunRecord record;
+
+  /// Returns the study of the layout; null if the run belongs to none.
+  Json study() const { return record.study.value_or(Json()); }
 };
 
 /// Prediction by one method.
 struct PlottedPrediction {
   std::string source;
-  Prediction prediction;
-  int swimmer = 0;                ///< id of the swimmer in the layout
-  Json study{};                   ///< study of the layout (layout_document.hpp)
-  std::optional<Layout> scene{};  ///< nullopt if the document contains none
+  PredictionDocument document;  ///< with this prediction alone
+
+  const Prediction& prediction() const { return document.predictions.front(); }
+  Results results() const;
 };
 
 /// Run records and predictions that a figure shows, with their common units. Each list is in the order of the
 /// command line.
 struct PlotInputs {
   Units units;
-  std::vector<PlottedRun> runs;
-  std::vector<PlottedPrediction> predictions;
-  std::vector<std::string> methods;           ///< methods of the predictions, in the order of drawing
-  std::vector<PlottedPrediction> references;  ///< predictions by the method MethodChoice::relative_to
+  std::vector<PlottedRun> runs{};
+  std::vector<PlottedPrediction> predictions{};
+  std::vector<std::string> methods{};           ///< methods of the predictions, in the order of drawing
+  std::vector<PlottedPrediction> references{};  ///< predictions by the method InputChoice::relative_to
+
+  /// Returns the studies of all inputs that belong to one.
+  std::vector<Json> studies() const;
 };
 
-/// Returns the study of a run; null if it belongs to none.
-inline Json study_of(const PlottedRun& run) {
-  return run.record.study.value_or(Json());
-}
-
-/// Returns the studies of all inputs that belong to one.
-std::vector<Json> studies_of(const PlotInputs& inputs);
-
-/// Returns the results of a prediction.
-Results results_of(const PlottedPrediction& plotted);
-
-struct MethodChoice {
+/// What is drawn of the inputs.
+struct InputChoice {
   std::vector<std::string> methods{};  ///< methods to draw; empty: the best usable method; "all": all methods
   std::string relative_to{};           ///< method of the references; empty: no references
+  CycleChoice cycle{};                 ///< cycles of runs
 };
 
 /// Reads run records and predictions from files, which contain one document, or one document per line. Leaves
 /// out, and counts on standard error, what has no result: failures, runs without the chosen cycles, and
 /// predictions that no chosen method made. Throws InputError if a document is invalid, if nothing has a
-/// result, if units differ, or if no prediction was made by a method that `choice` names.
-PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& choice,
-                            const CycleChoice& cycle = {});
+/// result, if units differ, or if no prediction was made by a method that `wanted` names.
+PlotInputs read_plot_inputs(const std::vector<std::string>& files, const InputChoice& wanted);
 
 /// Throws InputError if the files have different units.
 void require_same_units(const Units& units, const std::string& source, const Units& first,

@@ -7,10 +7,8 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "beadswim/documents/study_text.hpp"
 
@@ -32,11 +30,19 @@ constexpr std::array parameters{Parameter{"period", "T"}, Parameter{"separation_
 std::string parameter_text(const std::vector<PlottedPrediction>& predictions, const Parameter& parameter) {
   std::vector<double> values;
   for (const PlottedPrediction& plotted : predictions) {
-    const auto value = number_setting(plotted.prediction, parameter.key);
+    const auto value = number_setting(plotted.prediction(), parameter.key);
     if (!value) return {};
     values.push_back(*value);
   }
   return fmt::format("{} = {}{}", parameter.symbol, range_text(values, 4), parameter.unit);
+}
+
+/// Returns the text with this key in the settings of a prediction; nullopt if there is none.
+std::optional<std::string> text_setting(const Prediction& prediction, const std::string& key) {
+  for (const auto& [name, value] : prediction.settings) {
+    if (name == key && std::holds_alternative<std::string>(value)) return std::get<std::string>(value);
+  }
+  return std::nullopt;
 }
 
 /// Returns the fluid of predictions as text. `fluid`: their setting "fluid".
@@ -54,10 +60,10 @@ std::string fluid_text(const std::vector<PlottedPrediction>& predictions) {
   std::set<std::string> names;
   std::size_t pairs = 0;
   for (const PlottedPrediction& plotted : predictions) {
-    const auto fluid = text_setting(plotted.prediction, "fluid");
+    const auto fluid = text_setting(plotted.prediction(), "fluid");
     if (!fluid) return {};
-    pairs += methods[name_of_fluid(*fluid)].insert(plotted.prediction.method).second ? 1 : 0;
-    names.insert(plotted.prediction.method);
+    pairs += methods[name_of_fluid(*fluid)].insert(plotted.prediction().method).second ? 1 : 0;
+    names.insert(plotted.prediction().method);
   }
   if (methods.empty()) return {};
   const bool has_method_one_fluid = pairs == names.size();
@@ -73,39 +79,31 @@ std::string fluid_text(const std::vector<PlottedPrediction>& predictions) {
   return text;
 }
 
-/// Returns the range of a quantity over all runs that have it.
-std::string run_range(const PlotInputs& inputs, int digits,
-                      const std::function<std::optional<double>(const RunRecord&)>& number) {
-  std::vector<double> numbers;
-  for (const PlottedRun& run : inputs.runs) {
-    if (const auto value = number(run.record)) numbers.push_back(*value);
-  }
-  return range_text(numbers, digits);
-}
-
-/// Texts for model, bead boundary, resolution, relaxation time, precision and box of a run; a text is empty
-/// if the run has no such setting.
-using SettingTexts = std::array<std::string, 6>;
+/// Texts for bead boundary, resolution, relaxation time, precision and box of a run; a text is empty if the
+/// run has no such setting.
+using SettingTexts = std::array<std::string, 5>;
 
 /// Returns the settings of a run as texts. The relaxation time has only two digits, because each run adjusts
 /// the requested value slightly to its period.
 SettingTexts setting_of(const RunRecord& record) {
-  SettingTexts setting{record.model};
-  if (const auto& resolution = record.resolution) {
-    setting[1] = resolution->bead_boundary;
-    setting[2] = fmt::format("{:g} cells per radius", resolution->cells_per_radius);
-    setting[3] = fmt::format("τ = {:.2g}", resolution->relaxation_time);
-    setting[4] = resolution->precision;
-  }
-  if (record.domain != Domain{}) setting[5] = in_words(record.domain);
+  SettingTexts setting;
+  if (const auto& resolution = record.resolution)
+    setting = {resolution->bead_boundary, fmt::format("{:g} cells per radius", resolution->cells_per_radius),
+               fmt::format("τ = {:.2g}", resolution->relaxation_time), resolution->precision};
+  if (record.domain != Domain{}) setting.back() = in_words(record.domain);
   return setting;
 }
 
-/// Returns the text of the setting at this position if all runs have the same; otherwise an empty text.
-std::string shared_setting(const PlotInputs& inputs, std::size_t position) {
-  const std::string first = setting_of(inputs.runs.front().record)[position];
-  const auto is_first = [&](const PlottedRun& run) { return setting_of(run.record)[position] == first; };
-  return std::ranges::all_of(inputs.runs, is_first) ? first : "";
+/// Returns the settings that all runs have; the texts of others are empty.
+SettingTexts shared_settings(const std::vector<PlottedRun>& runs) {
+  SettingTexts shared;
+  if (!runs.empty()) shared = setting_of(runs.front().record);
+  for (const PlottedRun& run : runs) {
+    const SettingTexts own = setting_of(run.record);
+    for (std::size_t p = 0; p < shared.size(); ++p)
+      if (own[p] != shared[p]) shared[p].clear();
+  }
+  return shared;
 }
 
 /// Returns the texts that are not empty, separated by commas.
@@ -114,18 +112,9 @@ std::string join_texts(std::vector<std::string> texts) {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
-std::string lattice_text(const PlotInputs& inputs) {
-  const auto has_lattice = [](const PlottedRun& run) { return run.record.resolution.has_value(); };
-  if (std::ranges::none_of(inputs.runs, has_lattice)) return {};
-  const auto cells = [](const RunRecord& record) {
-    return record.resolution ? std::optional(record.resolution->cells_per_radius) : std::nullopt;
-  };
-  const auto relaxation_time = [](const RunRecord& record) {
-    return record.resolution ? std::optional(record.resolution->relaxation_time) : std::nullopt;
-  };
-  return join_texts({run_range(inputs, 4, cells) + " cells per radius",
-                     "τ = " + run_range(inputs, 4, relaxation_time), shared_setting(inputs, 1),
-                     shared_setting(inputs, 4)});
+/// Returns "NAME = RANGE", or an empty text if there are no numbers.
+std::string named_range(const std::string& name, const std::vector<double>& numbers, int digits) {
+  return numbers.empty() ? "" : name + " = " + range_text(numbers, digits);
 }
 
 }  // namespace
@@ -133,7 +122,7 @@ std::string lattice_text(const PlotInputs& inputs) {
 std::string varied_text(const PlotInputs& inputs, const Json& study) {
   if (!study.is_object()) return {};
   std::map<std::string, std::set<Json>> values;
-  for (const Json& other : studies_of(inputs))
+  for (const Json& other : inputs.studies())
     for (const auto& [name, value] : other.items()) values[name].insert(value);
   Json varied = Json::object();
   for (const auto& [name, value] : study.items())
@@ -143,7 +132,7 @@ std::string varied_text(const PlotInputs& inputs, const Json& study) {
 
 std::string run_label(const PlotInputs& inputs, const PlottedRun& run) {
   if (inputs.runs.size() == 1) return run.record.model;
-  const std::string varied = varied_text(inputs, study_of(run));
+  const std::string varied = varied_text(inputs, run.study());
   if (!varied.empty()) return run.record.model + varied;
   return fmt::format("{} {}", run.record.model, std::filesystem::path(run.source).filename().string());
 }
@@ -171,72 +160,67 @@ std::string summarise_names(const std::set<std::string>& names, const std::strin
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::vector<RunGroup> runs_by_setting(const PlotInputs& inputs) {
-  std::vector<std::pair<SettingTexts, std::vector<const PlottedRun*>>> groups;
-  for (const PlottedRun& run : inputs.runs) {
-    const SettingTexts setting = setting_of(run.record);
-    auto group = std::ranges::find(groups, setting, [](const auto& each) { return each.first; });
-    if (group == groups.end()) group = groups.insert(groups.end(), {setting, {}});
-    group->second.push_back(&run);
+std::vector<std::string> setting_labels(const std::vector<PlottedRun>& runs) {
+  std::vector<std::string> labels;
+  for (const SettingTexts shared = shared_settings(runs); const PlottedRun& run : runs) {
+    SettingTexts differing = setting_of(run.record);
+    for (std::size_t p = 0; p < shared.size(); ++p)
+      if (differing[p] == shared[p]) differing[p].clear();
+    const std::string text = join_texts({differing.begin(), differing.end()});
+    labels.push_back(run.record.model + (text.empty() ? "" : " " + text));
   }
-  std::vector<RunGroup> result;
-  for (const auto& [setting, runs] : groups) {
-    std::vector<std::string> parts;
-    for (std::size_t p = 1; p < setting.size(); ++p) {  // the model is in every label
-      const auto same = [&, part = setting[p]](const auto& each) { return each.first[p] == part; };
-      if (!setting[p].empty() && !std::ranges::all_of(groups, same)) parts.push_back(setting[p]);
-    }
-    const std::string& model = runs.front()->record.model;
-    result.push_back({parts.empty() ? model : fmt::format("{} {}", model, fmt::join(parts, ", ")), runs});
-  }
-  return result;
+  return labels;
 }
 
 Note run_note(const PlotInputs& inputs, std::optional<AbscissaKind> abscissa) {
   if (inputs.runs.empty()) return {};
-  const auto period = [](const RunRecord& record) { return std::optional(record.driving.period); };
-  const auto if_known = [](double number) { return number > 0 ? std::optional(number) : std::nullopt; };
-  const auto depth = [&](const RunRecord& record) {
-    return if_known(record.dimensionless.penetration_depth_over_radius);
-  };
-  const auto reynolds = [&](const RunRecord& record) { return if_known(record.dimensionless.reynolds_bead); };
-  const auto named = [](const std::string& name, const std::string& range) {
-    return range.empty() ? "" : name + " = " + range;
-  };
-  const std::string reynolds_text = named("Re", run_range(inputs, 2, reynolds));
+  std::vector<double> periods, depths, reynolds, cells, relaxation_times;
+  for (const auto& [source, record] : inputs.runs) {
+    periods.push_back(record.driving.period);
+    const DimensionlessNumbers& numbers = record.dimensionless;
+    if (numbers.penetration_depth_over_radius > 0) depths.push_back(numbers.penetration_depth_over_radius);
+    if (numbers.reynolds_bead > 0) reynolds.push_back(numbers.reynolds_bead);
+    if (!record.resolution) continue;
+    cells.push_back(record.resolution->cells_per_radius);
+    relaxation_times.push_back(record.resolution->relaxation_time);
+  }
+  const auto [bead_boundary, resolution, relaxation_time, precision, box] = shared_settings(inputs.runs);
+  const std::string reynolds_text = named_range("Re", reynolds, 2);
   std::string text =
-      "Runs: " + join_texts({abscissa == AbscissaKind::period ? "" : named("T", run_range(inputs, 6, period)),
-                             abscissa ? "" : named("δ/λ", run_range(inputs, 3, depth)), reynolds_text});
-  if (const std::string lattice = lattice_text(inputs); !lattice.empty()) text += "; " + lattice;
-  if (const std::string box = shared_setting(inputs, 5); !box.empty()) text += "; " + box;
+      "Runs: " + join_texts({abscissa == AbscissaKind::period ? "" : named_range("T", periods, 6),
+                             abscissa ? "" : named_range("δ/λ", depths, 3), reynolds_text});
+  if (!cells.empty())
+    text += "; " + join_texts({range_text(cells, 4) + " cells per radius",
+                               named_range("τ", relaxation_times, 4), bead_boundary, precision});
+  if (!box.empty()) text += "; " + box;
   return {
       .text = text,
       .summary = reynolds_text.empty() ? "" : fmt::format("{} runs: {}", inputs.runs.size(), reynolds_text)};
-}
-
-std::vector<Note> prediction_notes(const PlotInputs& inputs, AbscissaKind abscissa) {
-  if (inputs.predictions.empty()) return {};
-  std::vector<std::string> texts;
-  for (const Parameter& parameter : parameters) {
-    if (parameter.key != to_text(abscissa)) texts.push_back(parameter_text(inputs.predictions, parameter));
-  }
-  const std::string fluid = fluid_text(inputs.predictions);
-  texts.push_back(fluid);
-  std::vector<Note> notes;
-  if (const std::string text = join_texts(texts); !text.empty()) {
-    notes.push_back(
-        {.text = "Predictions: " + text, .summary = "Predictions: " + join_texts({texts.front(), fluid})});
-  }
-  const auto usable = [](const PlottedPrediction& plotted) { return plotted.prediction.usable; };
-  if (!std::ranges::all_of(inputs.predictions, usable))
-    notes.push_back({.text = "Thin and pale: unusable predictions."});
-  return notes;
 }
 
 Note reading_note(const PlotInputs& inputs) {
   if (inputs.runs.empty()) return {.text = "Theories agree where their lines coincide."};
   if (inputs.predictions.empty()) return {.text = "Each mark is one swimmer of a run."};
   return {.text = "Marks are runs; marks on a line agree with that prediction."};
+}
+
+std::vector<Note> notes_against(const PlotInputs& inputs, AbscissaKind abscissa) {
+  std::vector<Note> notes{reading_note(inputs)};
+  if (!inputs.predictions.empty()) {
+    std::vector<std::string> texts;
+    for (const Parameter& parameter : parameters) {
+      if (parameter.key != to_text(abscissa)) texts.push_back(parameter_text(inputs.predictions, parameter));
+    }
+    texts.push_back(fluid_text(inputs.predictions));
+    if (const std::string text = join_texts(texts); !text.empty())
+      notes.push_back({.text = "Predictions: " + text,
+                       .summary = "Predictions: " + join_texts({texts.front(), texts.back()})});
+    const auto usable = [](const PlottedPrediction& plotted) { return plotted.prediction().usable; };
+    if (!std::ranges::all_of(inputs.predictions, usable))
+      notes.push_back({.text = "Thin and pale: unusable predictions."});
+  }
+  notes.push_back(run_note(inputs, abscissa));
+  return notes;
 }
 
 }  // namespace beadswim

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "abscissa.hpp"
-#include "beadswim/figure/note.hpp"
-#include "plot_inputs.hpp"
+#include "result_series.hpp"
 
 // Labels and notes of figures that show runs and predictions.
 
@@ -20,27 +18,22 @@ std::string varied_text(const PlotInputs& inputs, const Json& study);
 /// Returns the label of a run: "lbm"; for several runs with what varies in their studies, or "lbm FILE".
 std::string run_label(const PlotInputs& inputs, const PlottedRun& run);
 
-/// Runs with the same model, bead boundary, resolution, relaxation time, precision and box.
-struct RunGroup {
-  std::string label;  ///< model and all settings that differ between groups: "lbm mr, 4 cells per radius"
-  std::vector<const PlottedRun*> runs;  ///< pointers into PlotInputs::runs
-};
-
-/// Returns the groups in the order of their first runs.
-std::vector<RunGroup> runs_by_setting(const PlotInputs& inputs);
+/// Returns a label for each run: model, and all settings (bead boundary, resolution, relaxation time,
+/// precision and box) that differ between runs: "lbm mr, 4 cells per radius".
+std::vector<std::string> setting_labels(const std::vector<PlottedRun>& runs);
 
 /// Returns a note that states the parameters of all runs, with ranges where they differ: "Runs: T = 1000 to
 /// 10000, ...". Omits the parameter on the horizontal axis, and settings that differ between runs, because
 /// the labels of the runs state these settings. Returns an empty note if there is no run.
 Note run_note(const PlotInputs& inputs, std::optional<AbscissaKind> abscissa);
 
-/// Returns notes on the predictions. The first note states their parameters, with ranges where they differ,
-/// for example "Predictions: T = 4800, A/B = 1". It omits the parameter on the horizontal axis and parameters
-/// that a prediction does not state. A second note follows if some predictions are not usable.
-std::vector<Note> prediction_notes(const PlotInputs& inputs, AbscissaKind abscissa);
-
 /// Returns a note that explains marks (runs) and lines (predictions) of the figure.
 Note reading_note(const PlotInputs& inputs);
+
+/// Returns the notes of a figure against a quantity that is not of a study: reading_note(), the parameters of
+/// the predictions, with ranges where they differ, "Predictions: T = 4800, A/B = 1", without the quantity and
+/// what a prediction does not state, what is said of predictions that are not usable, and run_note().
+std::vector<Note> notes_against(const PlotInputs& inputs, AbscissaKind abscissa);
 
 /// Returns the names joined by commas, or their number if there are more than three, for example "5 methods".
 /// `plural`: the word after the number.

@@ -3,20 +3,74 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/nearest_name.hpp"
 #include "beadswim/documents/study_text.hpp"
+#include "beadswim/scene/units.hpp"
 #include "plot_labels.hpp"
 
 namespace beadswim {
 namespace {
 
+/// Returns the value of a quantity of a study. Throws InputError if the document has no such quantity.
+Json study_value(const Json& study, const std::string& name, const std::string& source,
+                 const std::string& flag) {
+  if (study.is_object() && study.contains(name)) return study[name];
+  std::vector<std::string> names;
+  for (const auto& [each, value] : study.items()) names.push_back(each);
+  throw InputError(
+      flag,
+      names.empty()
+          ? fmt::format("{} belongs to no study; make its layout with beadswim-layout vary", source)
+          : fmt::format("\"{}\" is not varied in {}: {}", name, source, format_unknown_name(name, names)));
+}
+
+/// Returns the smaller mean arm length in the chosen cycles, divided by the smallest bead radius of the scene
+/// or, in an older record without it, of a lattice run.
+double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const CycleChoice& choice) {
+  const auto cycles = select_cycles(swimmer.cycles, choice, run.source);
+  std::array<double, 2> arms{};
+  for (const CycleStatistics& cycle : cycles) {
+    if (cycle.arm_means.size() != 2)
+      throw InputError(run.source, "the swimmer does not have two arms; leave this file out");
+    for (std::size_t arm = 0; arm < 2; ++arm) arms[arm] += cycle.arm_means[arm];
+  }
+  const auto& [scene, resolution] = std::tie(run.record.scene, run.record.resolution);
+  if (!scene && !resolution)
+    throw InputError(
+        run.source,
+        "the run record lacks the bead radius, which is needed for the separation ratio l/λ; leave "
+        "this file out");
+  return std::min(arms[0], arms[1]) / static_cast<double>(cycles.size()) /
+         (scene ? smallest_radius(*scene) : resolution->cells_per_radius * resolution->cell_size);
+}
+
+/// Returns the value on the horizontal axis for a swimmer in a run. Throws InputError if the run record does
+/// not contain the quantity. For B = 0, A/B is infinite and is not drawn.
+double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, const Abscissa& abscissa,
+                   const CycleChoice& cycle) {
+  const auto& driving = run.record.driving;
+  if (abscissa.kind == AbscissaKind::study)
+    return number_in_study(run.study(), abscissa.study, run.source, "--x");
+  if (abscissa.kind == AbscissaKind::period) return driving.period;
+  if (abscissa.kind == AbscissaKind::separation_ratio) return separation_of(run, swimmer, cycle);
+  const bool is_phase = abscissa.kind == AbscissaKind::phase;
+  if (driving.amplitude && (!is_phase || driving.phase))
+    return is_phase ? *driving.phase : (*driving.amplitude)[0] / (*driving.amplitude)[1];
+  throw InputError(run.source, fmt::format("the run record lacks the {}, the abscissa of the figure; leave "
+                                           "the run out, or draw the figure with --against cycle",
+                                           axis_label(abscissa, run.record.units).quantity));
+}
+
 /// Returns the smallest number of digits, at least 4, with which the values of a quantity of the study have
 /// different texts.
 int study_digits(const PlotInputs& inputs, const std::string& name) {
   std::set<double> values;
-  for (const Json& study : studies_of(inputs))
+  for (const Json& study : inputs.studies())
     if (study.contains(name) && study[name].is_number()) values.insert(study[name].get<double>());
   for (int digits = 4; digits < 17; ++digits) {
     std::set<std::string> texts;
@@ -25,57 +79,6 @@ int study_digits(const PlotInputs& inputs, const std::string& name) {
   }
   return 17;
 }
-
-/// Makes the series of the inputs. A series holds points of one group of --group-by.
-class SeriesMaker {
- public:
-  SeriesMaker(const PlotInputs& inputs, const SeriesSettings& settings)
-      : inputs_(inputs), settings_(settings), digits_(study_digits(inputs, settings.group_by)) {}
-
-  std::vector<ResultSeries> of_runs() {
-    for (const RunGroup& group : runs_by_setting(inputs_)) {
-      first_ = all_.size();
-      for (const PlottedRun* run : group.runs)
-        for (const SwimmerRecord& swimmer : run->record.swimmers)
-          add(group.label, study_of(*run),
-              {abscissa_of(*run, swimmer, settings_.abscissa, settings_.cycle),
-               results_of(run->record, swimmer, settings_.cycle, run->source), true, run->source});
-    }
-    return std::move(all_);
-  }
-
-  std::vector<ResultSeries> of_predictions() {
-    for (const std::string& method : inputs_.methods) {
-      first_ = all_.size();
-      for (const PlottedPrediction& plotted : inputs_.predictions)
-        if (plotted.prediction.method == method)
-          add(method, plotted.study,
-              {abscissa_of(plotted, settings_.abscissa), results_of(plotted), plotted.prediction.usable,
-               plotted.source});
-    }
-    for (ResultSeries& series : all_) std::ranges::stable_sort(series.points, {}, &ResultPoint::x);
-    return std::move(all_);
-  }
-
- private:
-  /// Adds a point to the series from number first_ on that has its label, or to a new one.
-  void add(std::string label, const Json& study, ResultPoint point) {
-    const std::string& name = settings_.group_by;
-    if (!name.empty())
-      label += fmt::format(", {} = {}", name,
-                           study_value_text(study_value(study, name, point.source, "--group-by"), digits_));
-    auto found = std::find_if(all_.begin() + static_cast<std::ptrdiff_t>(first_), all_.end(),
-                              [&](const ResultSeries& series) { return series.label == label; });
-    if (found == all_.end()) found = all_.insert(found, ResultSeries{label});
-    found->points.push_back(std::move(point));
-  }
-
-  const PlotInputs& inputs_;
-  const SeriesSettings& settings_;
-  const int digits_;
-  std::size_t first_ = 0;
-  std::vector<ResultSeries> all_{};
-};
 
 /// Returns a point for each swimmer of a run in each cycle. Uncertainties belong to the last one.
 ResultSeries series_by_cycle(const PlotInputs& inputs, const PlottedRun& run) {
@@ -120,22 +123,95 @@ std::vector<Curve> curves_of(const std::vector<ResultSeries>& all, const std::ve
 
 }  // namespace
 
-DrawnResults results_against(const PlotInputs& inputs, const SeriesSettings& settings) {
-  SeriesMaker runs(inputs, settings), predictions(inputs, settings);
-  return {.runs = runs.of_runs(), .predictions = predictions.of_predictions()};
+AxisLabel axis_label(const Abscissa& abscissa, const Units& units) {
+  constexpr std::array labels{"period T", "separation of neighbouring beads over their radius, l/λ",
+                              "ratio of the driving amplitudes, A/B", "phase of the driving, α"};
+  const bool is_study = abscissa.kind == AbscissaKind::study;
+  const std::string name = is_study ? abscissa.study : to_text(abscissa.kind);
+  const std::string label = is_study ? name : labels[static_cast<std::size_t>(abscissa.kind)];
+  if (name == "period") return {label, time_unit(units)};
+  if (name == "radius" || name == "arm") return {label, length_unit(units)};
+  return {label, name == "phase" ? "rad" : ""};
+}
+
+AxisLabel result_label(ResultQuantity quantity, const Units& units) {
+  return {std::string(row_of(quantity).label), unit_of(quantity, units)};
+}
+
+double number_in_study(const Json& study, const std::string& name, const std::string& source,
+                       const std::string& flag) {
+  const Json value = study_value(study, name, source, flag);
+  if (value.is_number()) return value.get<double>();
+  throw InputError(flag, fmt::format("\"{}\" is the word {} in {}, not a number; use it with --group-by",
+                                     name, value.dump(), source));
+}
+
+double abscissa_of(const PlottedPrediction& plotted, const Abscissa& abscissa) {
+  if (abscissa.kind == AbscissaKind::study)
+    return number_in_study(plotted.document.study, abscissa.study, plotted.source, "--x");
+  const std::string key = to_text(abscissa.kind);
+  if (const auto value = number_setting(plotted.prediction(), key)) return *value;
+  const std::string hint =
+      abscissa.kind == AbscissaKind::amplitude_ratio ? " (it is left out where B = 0)" : "";
+  throw InputError(plotted.source,
+                   fmt::format("the prediction by {} lacks the setting \"{}\", which is the abscissa of the "
+                               "figure{}; leave the prediction out, or predict again with beadswim-theory",
+                               plotted.prediction().method, key, hint));
+}
+
+DrawnResults results_against(const PlotInputs& inputs, const Abscissa& abscissa, const CycleChoice& cycle,
+                             const std::string& group_by) {
+  const int digits = study_digits(inputs, group_by);
+  const auto add = [&](std::string label, const Json& study, ResultPoint point,
+                       std::vector<ResultSeries>& all) {
+    if (!group_by.empty())
+      label +=
+          fmt::format(", {} = {}", group_by,
+                      study_value_text(study_value(study, group_by, point.source, "--group-by"), digits));
+    auto found = std::ranges::find(all, label, &ResultSeries::label);
+    if (found == all.end()) found = all.insert(found, ResultSeries{label});
+    found->points.push_back(std::move(point));
+  };
+  DrawnResults drawn;
+  const std::vector<std::string> settings = setting_labels(inputs.runs);
+  for (auto setting = settings.begin(); setting != settings.end(); ++setting) {
+    if (std::find(settings.begin(), setting, *setting) != setting) continue;  // its series are complete
+    std::vector<ResultSeries> of_setting;
+    for (std::size_t r = 0; r < settings.size(); ++r) {
+      const PlottedRun& run = inputs.runs[r];
+      if (settings[r] != *setting) continue;
+      for (const SwimmerRecord& swimmer : run.record.swimmers)
+        add(*setting, run.study(),
+            {abscissa_of(run, swimmer, abscissa, cycle), results_of(run.record, swimmer, cycle, run.source),
+             true, run.source},
+            of_setting);
+    }
+    std::ranges::move(of_setting, std::back_inserter(drawn.runs));
+  }
+  for (const std::string& method : inputs.methods) {
+    std::vector<ResultSeries> of_method;
+    for (const PlottedPrediction& plotted : inputs.predictions)
+      if (plotted.prediction().method == method)
+        add(method, plotted.document.study,
+            {abscissa_of(plotted, abscissa), plotted.results(), plotted.prediction().usable, plotted.source},
+            of_method);
+    for (ResultSeries& series : of_method) std::ranges::stable_sort(series.points, {}, &ResultPoint::x);
+    std::ranges::move(of_method, std::back_inserter(drawn.predictions));
+  }
+  return drawn;
 }
 
 DrawnResults results_by_cycle(const PlotInputs& inputs) {
   constexpr double overhang = 0.4;  // [cycles]
-  DrawnResults drawn{.runs = {}, .predictions = {}};
+  DrawnResults drawn;
   std::vector<double> cycles;
   for (const PlottedRun& run : inputs.runs) {
     drawn.runs.push_back(series_by_cycle(inputs, run));
     for (const ResultPoint& point : drawn.runs.back().points) cycles.push_back(point.x);
   }
   for (const PlottedPrediction& plotted : inputs.predictions)
-    drawn.predictions.push_back({plotted.prediction.method + varied_text(inputs, plotted.study),
-                                 {{0, results_of(plotted), plotted.prediction.usable, plotted.source}}});
+    drawn.predictions.push_back({plotted.prediction().method + varied_text(inputs, plotted.document.study),
+                                 {{0, plotted.results(), plotted.prediction().usable, plotted.source}}});
   if (!cycles.empty())
     drawn.level = {std::ranges::min(cycles) - overhang, std::ranges::max(cycles) + overhang};
   return drawn;
@@ -157,10 +233,7 @@ void append(const DrawnResults& drawn, const std::vector<DrawnNumber>& numbers, 
   const std::vector<Curve> marks = curves_of(drawn.runs, numbers, relation);
   const std::vector<Curve> curves = curves_of(drawn.predictions, numbers, relation);
   append_marks_and_curves(marks, drawn.level ? std::vector<Curve>() : curves, colour, panel);
-  if (!drawn.level) return;
-  std::vector<Level> levels;
-  for (const auto& [label, points] : curves) levels.push_back({label, points[0].y, points[0].error});
-  append_levels(levels, drawn.level->first, drawn.level->second, colour.value_or(0), panel);
+  if (drawn.level) append_levels(curves, drawn.level->first, drawn.level->second, colour.value_or(0), panel);
 }
 
 }  // namespace beadswim

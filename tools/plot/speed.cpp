@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -13,9 +12,8 @@
 #include "beadswim/documents/document_scenes.hpp"
 #include "beadswim/figure/error_figure.hpp"
 #include "beadswim/scene/units.hpp"
-#include "flags.hpp"
 #include "kinds.hpp"
-#include "plot_inputs.hpp"
+#include "plot_labels.hpp"
 #include "verdicts.hpp"
 
 // Figures of the errors of velocity and arm amplitudes against the cost of runs in core-seconds per period.
@@ -28,24 +26,19 @@ namespace beadswim {
 namespace {
 
 struct SpeedFlags {
-  ResultFlags results;  ///< methods of the prediction or of the verdicts whose errors are drawn
-  std::vector<std::string>
-      references;  ///< files of runs or a prediction relative to which errors are measured
+  InputChoice choice;  ///< methods of the prediction or of the verdicts whose errors are drawn, and cycles
+  std::vector<std::string> references;     ///< files of runs or a prediction from which errors are measured
   std::optional<ResultQuantity> quantity;  ///< the quantity that is drawn; nullopt: both
 };
 
-/// Reference values for the errors of runs: a prediction for one swimmer, or all swimmers of a run.
-struct ErrorReference {
-  std::string name;
-  std::optional<int> swimmer{};          ///< id of the only swimmer of a prediction; nullopt: all swimmers
-  std::vector<Results> swimmers;         ///< of the only swimmer, or of all swimmers
-};
-
-/// The runs of one scene and their reference.
+/// The runs of one scene, and the reference values for their errors: a prediction for one swimmer, or all
+/// swimmers of a run.
 struct ComparedScene {
-  std::string title;  ///< empty if the figure has one scene
-  ErrorReference reference;
-  std::vector<const PlottedRun*> runs;
+  std::string title{};  ///< empty if the figure has one scene
+  std::vector<const PlottedRun*> runs{};
+  std::string reference{};         ///< name of the reference
+  std::optional<int> swimmer{};    ///< id of the only swimmer of a prediction; nullopt: all swimmers
+  std::vector<Results> correct{};  ///< of the only swimmer, or of all swimmers
 };
 
 /// Returns the differences between the scenes of a run and of another document.
@@ -67,25 +60,30 @@ void require_one_scene(const PlottedRun& run, const SourceDocument& other) {
                                              run.source, fmt::join(words, "; ")));
 }
 
-/// Returns the velocity and stroke of a run as the reference for errors.
-ErrorReference reference_of(const PlottedRun& run, const CycleChoice& cycle) {
+/// Takes the reference values of a run.
+void set_reference(const PlottedRun& run, const CycleChoice& cycle, ComparedScene& scene) {
   const RunRecord& record = run.record;
-  ErrorReference reference{.name = record.model, .swimmers = {}};
-  if (record.resolution) {
-    reference.name = fmt::format("{}, {}, {:g} cells per radius", record.model,
-                                 record.resolution->bead_boundary, record.resolution->cells_per_radius);
-  }
+  scene.reference = record.model;
+  if (const auto& resolution = record.resolution)
+    scene.reference +=
+        fmt::format(", {}, {:g} cells per radius", resolution->bead_boundary, resolution->cells_per_radius);
   for (const SwimmerRecord& swimmer : record.swimmers)
-    reference.swimmers.push_back(results_of(record, swimmer, cycle, run.source, RunUncertainty::of_cycle));
-  return reference;
+    scene.correct.push_back(results_of(record, swimmer, cycle, run.source, RunUncertainty::of_cycle));
+}
+
+/// Takes the reference values of a prediction.
+void set_reference(const PlottedPrediction& plotted, ComparedScene& scene) {
+  scene.reference = plotted.prediction().method;
+  scene.swimmer = plotted.document.swimmer;
+  scene.correct = {plotted.results()};
 }
 
 /// Returns the relative uncertainty of a quantity of the reference: of a prediction the largest of its
 /// numbers, of a run the root mean square over numbers and swimmers. Returns nullopt if none is stated.
-std::optional<double> uncertainty_of(const ErrorReference& reference, ResultQuantity quantity) {
+std::optional<double> uncertainty_of(const ComparedScene& scene, ResultQuantity quantity) {
   std::optional<double> largest;
   double change = 0, square = 0;
-  for (const Results& results : reference.swimmers) {
+  for (const Results& results : scene.correct) {
     const auto found = results.find(quantity);
     if (found == results.end()) continue;
     const auto& [numbers, vector, uncertainties] = found->second;
@@ -95,7 +93,7 @@ std::optional<double> uncertainty_of(const ErrorReference& reference, ResultQuan
       square += std::pow(numbers[i], 2);
     }
   }
-  if (reference.swimmer) return largest;
+  if (scene.swimmer) return largest;
   return change > 0 ? std::optional(std::sqrt(change / square)) : std::nullopt;
 }
 
@@ -111,21 +109,10 @@ std::string scene_title(const RunRecord& record) {
   return title;
 }
 
-/// Returns the only run or prediction that a file of a reference contains.
-SourceDocument document_of(const PlotInputs& read) {
-  if (!read.runs.empty()) return {read.runs.front().source, read.runs.front().record};
-  const PlottedPrediction& only = read.predictions.front();
-  PredictionDocument document{
-      {.units = read.units, .swimmer = only.swimmer, .predictions = {only.prediction}}};
-  document.scene = only.scene;
-  return {only.source, document};
-}
-
 /// Reads the file of a reference and collects the runs of its scene: all runs if there is one reference.
-ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, const SpeedFlags& flags,
-                         const CycleChoice& cycle) {
+ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, const SpeedFlags& flags) {
   const bool has_several_scenes = flags.references.size() > 1;
-  const PlotInputs read = read_plot_inputs({file}, flags.results.methods, cycle);
+  const PlotInputs read = read_plot_inputs({file}, flags.choice);
   if (read.runs.size() + read.predictions.size() != 1) {
     throw InputError(
         file,
@@ -139,7 +126,9 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
         file,
         fmt::format("the units of the reference differ from the units of {}; make both files from one layout",
                     inputs.runs.front().source));
-  const SourceDocument reference = document_of(read);
+  const SourceDocument reference =
+      read.runs.empty() ? SourceDocument{read.predictions[0].source, read.predictions[0].document}
+                        : SourceDocument{read.runs[0].source, read.runs[0].record};
   ComparedScene scene;
   for (const PlottedRun& run : inputs.runs)
     if (!has_several_scenes || find_differences(run.record, reference.document).empty())
@@ -147,23 +136,19 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
   if (scene.runs.empty())
     throw InputError(file,
                      "no run has the scene of this reference; add its runs, or leave the reference out");
-  const PlottedRun& first = *scene.runs.front();
-  require_one_scene(first, reference);
-  if (read.runs.empty()) {
-    const PlottedPrediction& only = read.predictions.front();
-    scene.reference = {only.prediction.method, only.swimmer, {results_of(only)}};
-  } else {
-    scene.reference = reference_of(read.runs.front(), cycle);
-  }
-  if (has_several_scenes) scene.title = scene_title(first.record);
+  require_one_scene(*scene.runs.front(), reference);
+  if (read.runs.empty())
+    set_reference(read.predictions[0], scene);
+  else
+    set_reference(read.runs[0], flags.choice.cycle, scene);
+  if (has_several_scenes) scene.title = scene_title(scene.runs.front()->record);
   return scene;
 }
 
 /// Returns the scenes of all references. Throws InputError if a run has the scene of none or of several.
-std::vector<ComparedScene> read_scenes(const PlotInputs& inputs, const SpeedFlags& flags,
-                                       const CycleChoice& cycle) {
+std::vector<ComparedScene> read_scenes(const PlotInputs& inputs, const SpeedFlags& flags) {
   std::vector<ComparedScene> scenes;
-  for (const std::string& file : flags.references) scenes.push_back(read_scene(inputs, file, flags, cycle));
+  for (const std::string& file : flags.references) scenes.push_back(read_scene(inputs, file, flags));
   for (const PlottedRun& run : inputs.runs) {
     const auto matches = std::ranges::count_if(
         scenes, [&](const ComparedScene& scene) { return std::ranges::count(scene.runs, &run) > 0; });
@@ -176,10 +161,6 @@ std::vector<ComparedScene> read_scenes(const PlotInputs& inputs, const SpeedFlag
                        "leave the run out");
   }
   return scenes;
-}
-
-bool has_finer_levels(const RunRecord& record) {
-  return record.resolution && record.resolution->levels.size() > 1;
 }
 
 /// Returns the cost of a run in core-seconds per driving period.
@@ -202,7 +183,7 @@ std::string setting_name(const RunRecord& record) {
   }
   return fmt::format("{}, τ = {:g}, {}{}", record.resolution->bead_boundary,
                      std::round(100 * record.resolution->relaxation_time) / 100, record.resolution->precision,
-                     has_finer_levels(record) ? ", levels" : "");
+                     record.resolution->levels.size() > 1 ? ", levels" : "");
 }
 
 /// Throws InputError if two runs use different bead radii or densities on the lattice. The flags
@@ -216,73 +197,66 @@ void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
                                            other.source));
 }
 
-/// Throws InputError if a swimmer of the run has another number of arms than in the reference.
-void require_same_arms(const PlottedRun& run, const std::vector<Results>& swimmers,
-                       const ErrorReference& reference) {
+/// Returns the results of the swimmers of which the reference contains values. Throws InputError if one has
+/// another number of arms than in the reference.
+std::vector<Results> results_of(const PlottedRun& run, const ComparedScene& scene, const CycleChoice& cycle) {
   const auto arms = [](const Results& results) {
     const auto found = results.find(ResultQuantity::arm_amplitudes);
     return found == results.end() ? 0 : found->second.numbers.size();
   };
-  for (std::size_t s = 0; s < swimmers.size(); ++s) {
-    if (arms(reference.swimmers[s]) == arms(swimmers[s])) continue;
-    throw InputError(run.source, fmt::format("swimmer {} has {} arms, but {} in the reference ({}); give the "
-                                             "reference of this scene",
-                                             reference.swimmer.value_or(run.record.swimmers[s].id),
-                                             arms(swimmers[s]), arms(reference.swimmers[s]), reference.name));
-  }
-}
-
-/// Returns the results of the swimmers of which the reference contains values.
-std::vector<Results> results_of(const PlottedRun& run, const ErrorReference& reference,
-                                const CycleChoice& cycle) {
   std::vector<SwimmerRecord> wanted = run.record.swimmers;
-  if (reference.swimmer) wanted = {find_swimmer(run.record, *reference.swimmer, run.source)};
+  if (scene.swimmer) wanted = {find_swimmer(run.record, *scene.swimmer, run.source)};
   std::vector<Results> swimmers;
   for (const SwimmerRecord& swimmer : wanted)
     swimmers.push_back(results_of(run.record, swimmer, cycle, run.source));
-  require_same_arms(run, swimmers, reference);
+  for (std::size_t s = 0; s < swimmers.size(); ++s) {
+    if (arms(scene.correct[s]) == arms(swimmers[s])) continue;
+    throw InputError(run.source,
+                     fmt::format("swimmer {} has {} arms, but {} in the reference ({}); give the "
+                                 "reference of this scene",
+                                 wanted[s].id, arms(swimmers[s]), arms(scene.correct[s]), scene.reference));
+  }
   return swimmers;
 }
 
 std::vector<CostedRun> costed_runs(const ComparedScene& scene, const CycleChoice& cycle) {
   std::vector<CostedRun> runs;
-  const std::vector<const PlottedRun*>& plotted = scene.runs;
-  const SourceDocument first{plotted.front()->source, plotted.front()->record};
-  for (const PlottedRun* each : plotted) {
-    const PlottedRun& run = *each;
-    CostedRun costed{.source = run.source, .setting = setting_name(run.record), .swimmers = {}};
-    if (run.record.resolution) costed.resolution = run.record.resolution->cells_per_radius;
-    const auto same_setting = std::ranges::find_if(runs, [&](const CostedRun& other) {
-      return other.setting == costed.setting && other.resolution == costed.resolution;
-    });
-    require_one_scene(run, first);
-    if (same_setting != runs.end())
-      require_same_corrections(run, *plotted[static_cast<std::size_t>(same_setting - runs.begin())]);
-    costed.cost = cost_of(run);
-    costed.swimmers = results_of(run, scene.reference, cycle);
+  const SourceDocument first{scene.runs.front()->source, scene.runs.front()->record};
+  for (const PlottedRun* run : scene.runs) {
+    CostedRun costed{.source = run->source, .setting = setting_name(run->record), .swimmers = {}};
+    if (run->record.resolution) costed.resolution = run->record.resolution->cells_per_radius;
+    require_one_scene(*run, first);
+    for (std::size_t r = 0; r < runs.size(); ++r)
+      if (runs[r].setting == costed.setting && runs[r].resolution == costed.resolution)
+        require_same_corrections(*run, *scene.runs[r]);
+    costed.cost = cost_of(*run);
+    costed.swimmers = results_of(*run, scene, cycle);
     runs.push_back(std::move(costed));
   }
   return runs;
 }
 
-QuantityErrors errors_of(const std::vector<ErrorsOfSetting>& all, const ComparedScene& scene,
-                         ResultQuantity quantity, const std::string& name) {
-  QuantityErrors errors{.quantity = name,
-                        .series = {},
-                        .uncertainty = uncertainty_of(scene.reference, quantity),
-                        .scene = scene.title};
-  for (const auto& [setting, resolutions] : all) {
-    errors.series.push_back({setting, {}});
-    for (const auto& [cells, source, cost, known] : resolutions) {
-      if (!known.contains(quantity)) continue;
-      errors.series.back().points.push_back(
-          {.name = cells > 0 ? fmt::format("{}, {:g} cells", setting, cells) : setting,
-           .source = source,
-           .cost = cost,
-           .error = known.at(quantity)});
+/// Appends a panel for each quantity of which errors are known.
+void append_panels(const std::vector<ErrorsOfSetting>& all, const ComparedScene& scene,
+                   const std::optional<ResultQuantity>& only, std::vector<QuantityErrors>& panels) {
+  for (const auto& [quantity, name] : {std::pair(ResultQuantity::velocity, "velocity"),
+                                       std::pair(ResultQuantity::arm_amplitudes, "arm amplitudes")}) {
+    if (only.value_or(quantity) != quantity) continue;
+    QuantityErrors errors{
+        .quantity = name, .series = {}, .uncertainty = uncertainty_of(scene, quantity), .scene = scene.title};
+    for (const auto& [setting, resolutions] : all) {
+      ErrorSeries series{setting, {}};
+      for (const auto& [cells, source, cost, known] : resolutions)
+        if (known.contains(quantity))
+          series.points.push_back(
+              {.name = cells > 0 ? fmt::format("{}, {:g} cells", setting, cells) : setting,
+               .source = source,
+               .cost = cost,
+               .error = known.at(quantity)});
+      if (!series.points.empty()) errors.series.push_back(std::move(series));
     }
+    if (!errors.series.empty()) panels.push_back(std::move(errors));
   }
-  return errors;
 }
 
 std::string resolutions_note(const PlotInputs& inputs) {
@@ -294,7 +268,9 @@ std::string resolutions_note(const PlotInputs& inputs) {
                                      *known.rbegin());
 }
 
-Figure speed_figure(const PlotInputs& inputs, const SpeedFlags& flags, const CycleChoice& cycle) {
+Figure run_figure(const PlotFiles& files, const SpeedFlags& flags) {
+  for (const std::string& file : flags.references) require_other_file(file, files.output);
+  const PlotInputs inputs = read_plot_inputs(files.inputs, {.cycle = flags.choice.cycle});
   if (inputs.runs.empty() || !inputs.predictions.empty()) {
     throw InputError(
         "speed-against-error",
@@ -302,25 +278,34 @@ Figure speed_figure(const PlotInputs& inputs, const SpeedFlags& flags, const Cyc
   }
   std::vector<QuantityErrors> panels;
   std::set<std::string> references;
-  for (const ComparedScene& scene : read_scenes(inputs, flags, cycle)) {
-    const auto all = errors_by_setting(costed_runs(scene, cycle), scene.reference.swimmers);
-    references.insert(scene.reference.name);
-    for (const auto& [quantity, name] : {std::pair(ResultQuantity::velocity, "velocity"),
-                                         std::pair(ResultQuantity::arm_amplitudes, "arm amplitudes")})
-      if (flags.quantity.value_or(quantity) == quantity)
-        panels.push_back(errors_of(all, scene, quantity, name));
+  for (const ComparedScene& scene : read_scenes(inputs, flags)) {
+    references.insert(scene.reference);
+    append_panels(errors_by_setting(costed_runs(scene, flags.choice.cycle), scene.correct), scene,
+                  flags.quantity, panels);
   }
-  std::vector<Note> notes{{.text = fmt::format("Root mean square of errors relative to the reference ({}).",
-                                               fmt::join(references, "; "))},
-                          {.text = resolutions_note(inputs)}};
-  return error_figure(panels, "core-seconds per period", std::move(notes));
+  return error_figure(panels, "core-seconds per period",
+                      {{.text = fmt::format("Root mean square of errors relative to the reference ({}).",
+                                            fmt::join(references, "; "))},
+                       {.text = resolutions_note(inputs)}});
+}
+
+Figure verdict_figure(const PlotFiles& files, const SpeedFlags& flags) {
+  std::set<std::string> methods;
+  std::vector<QuantityErrors> panels;
+  append_panels(read_verdicts(files.inputs, flags.choice.methods, methods), {}, std::nullopt, panels);
+  return error_figure(
+      panels, "core-seconds",
+      {{.text =
+            fmt::format("Marks are verdicts: root mean square of errors relative to {}, and core-seconds of "
+                        "complete runs.",
+                        summarise_names(methods, "methods"))}});
 }
 
 }  // namespace
 
-Drawing add_speed_flags(CLI::App& command) {
+DrawFigure add_speed_flags(CLI::App& command) {
   const auto flags = std::make_shared<SpeedFlags>();
-  add_result_flags(command, flags->results);
+  add_result_flags(command, flags->choice);
   command
       .add_option(
           "--reference", flags->references,
@@ -334,13 +319,9 @@ Drawing add_speed_flags(CLI::App& command) {
            "Quantity whose errors of run records are drawn",
            [flags](const std::string& word) { flags->quantity = from_text<ResultQuantity>(word); })
       ->default_str("both");
-  return [flags](const PlotFiles& files) {
-    const CycleChoice cycle = flags->results.cycle_choice();
-    if (!flags->references.empty()) {
-      for (const std::string& file : flags->references) require_other_file(file, files.output);
-      return Drawn(speed_figure(read_plot_inputs(files.inputs, {}, cycle), *flags, cycle));
-    }
-    if (flags->results.cycle != ResultFlags().cycle) {
+  return [flags, cycle = command.get_option("--cycle")](const PlotFiles& files) {
+    if (!flags->references.empty()) return draw(run_figure(files, *flags));
+    if (!cycle->empty() && cycle->results().front() != "last") {
       throw InputError("--cycle",
                        "each verdict already states which cycle was compared; leave --cycle out, or draw run "
                        "records with --reference instead of verdicts");
@@ -349,7 +330,7 @@ Drawing add_speed_flags(CLI::App& command) {
       throw InputError(
           "--quantity",
           "is for run records; leave it out, or draw run records with --reference instead of verdicts");
-    return Drawn(verdict_figure(files.inputs, flags->results.methods.methods));
+    return draw(verdict_figure(files, *flags));
   };
 }
 

@@ -9,7 +9,6 @@
 #include "beadswim/scene/swimmer_parameters.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
-#include "flags.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
 #include "swarm_scene.hpp"
@@ -34,7 +33,7 @@ struct SwarmFlags {
   /// Number of swimmers in a block along x, y, z; or one number, for blocks of swimmers with consecutive ids.
   std::vector<int> block_swimmers{1, 3, 3};
   std::vector<int> repeat{1, 1, 1};  ///< periodic copies along each axis
-  std::vector<SwimmerMark> marks{};
+  std::vector<std::pair<std::string, int>> marks{};  ///< names to write beside swimmers, with their ids
   bool distances = false;  ///< draws distances between neighbours; only for layouts
 };
 
@@ -59,82 +58,51 @@ void require_repeatable(const SwarmScene& scene, const Triple& repeat) {
   }
 }
 
-/// The swarm in the file, with its layers of swimmers. The figure shows periodic copies of this swarm.
-struct Cell {
-  const SwarmScene& scene;
-  std::vector<Layer> layers;  ///< per swimmer: indices of its layers in the layout along x, y, z
-  Layer count{};              ///< number of layers along x, y, z
-
-  const Swimmer& in_layout(std::size_t swimmer) const {
-    return scene.layout.swimmers[scene.in_layout[swimmer]];
-  }
-};
-
-Cell cell_of(const SwarmScene& scene) {
-  const std::vector<Layer> in_layout = swimmer_layers(scene.layout);
-  Cell cell{.scene = scene, .layers = {}, .count = layer_count(in_layout)};
-  for (const std::size_t index : scene.in_layout) cell.layers.push_back(in_layout[index]);
-  return cell;
-}
-
-Layer layer_in_copy(const Cell& cell, std::size_t swimmer, const Triple& copy) {
-  Layer layer = cell.layers[swimmer];
-  for (int a = 0; a < 3; ++a) layer[a] += copy[a] * cell.count[a];
-  return layer;
-}
-
-int colour_of(const Cell& cell, std::size_t swimmer, const Triple& copy, const Layer& layer,
+/// Returns the colour of a swimmer in a periodic copy, whose layer there is `swimmer.layer`.
+int colour_of(const SwarmScene& scene, const PicturedSwimmer& swimmer, std::size_t index, const Triple& copy,
               const SwarmFlags& options) {
-  const auto& types = cell.scene.layout.types;
+  const auto& [types, swimmers] = std::tie(scene.layout.types, scene.layout.swimmers);
   switch (options.colours) {
     case SwarmColours::blocks: {
       const int by_id = options.block_swimmers.size() == 1 ? copy[0] + copy[1] + copy[2] : 0;
-      return block_number(cell.in_layout(swimmer).id, layer, options.block_swimmers) + by_id;
+      return block_number(swimmer.id, swimmer.layer, options.block_swimmers) + by_id;
     }
     case SwarmColours::swimmers:
-      return static_cast<int>(swimmer);
+      return static_cast<int>(index);
     case SwarmColours::types:
-      return static_cast<int>(std::distance(types.begin(), types.find(cell.in_layout(swimmer).type)));
+      return static_cast<int>(
+          std::distance(types.begin(), types.find(swimmers[scene.in_layout[index]].type)));
   }
   return 0;
 }
 
 /// Returns the swimmers of the swarm and of all its periodic copies.
-std::vector<PicturedSwimmer> copies_of(const Cell& cell, const SwarmFlags& options) {
+std::vector<PicturedSwimmer> copies_of(const SwarmScene& scene, const SwarmFlags& options) {
   std::vector<PicturedSwimmer> drawn;
   const int nx = options.repeat[0], ny = options.repeat[1], nz = options.repeat[2];
   for (int i = 0; i < nx * ny * nz; ++i) {
     const Triple copy{i / (ny * nz), i / nz % ny, i % nz};
-    const Vec3 shift = Vec3(copy[0], copy[1], copy[2]).cwiseProduct(cell.scene.box);
-    for (std::size_t s = 0; s < cell.scene.swimmers.size(); ++s) {
-      PicturedSwimmer swimmer = cell.scene.swimmers[s];
+    const Vec3 shift = Vec3(copy[0], copy[1], copy[2]).cwiseProduct(scene.box);
+    for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
+      PicturedSwimmer swimmer = scene.swimmers[s];
       for (PicturedBead& bead : swimmer.beads) bead.centre += shift;
-      swimmer.layer = layer_in_copy(cell, s, copy);
-      swimmer.colour = colour_of(cell, s, copy, swimmer.layer, options);
+      for (int a = 0; a < 3; ++a) swimmer.layer[a] += copy[a] * scene.layers[a];
+      swimmer.colour = colour_of(scene, swimmer, s, copy, options);
       drawn.push_back(swimmer);
     }
   }
   return drawn;
 }
 
-std::vector<PictureKey> keys(const Layout& layout, SwarmColours colours) {
-  std::vector<PictureKey> keys;
-  if (colours != SwarmColours::types) return keys;
-  for (const auto& [name, type] : layout.types) keys.push_back({name, static_cast<int>(keys.size())});
-  return keys;
-}
-
 /// Returns the names to draw, at the middle beads of the swimmers in the first copy of the swarm.
-std::vector<PictureMark> marks(const Cell& cell, const std::vector<SwimmerMark>& wanted) {
+std::vector<PictureMark> marks(const SwarmScene& scene, const SwarmFlags& options) {
   std::vector<int> ids;
-  for (std::size_t s = 0; s < cell.scene.swimmers.size(); ++s) ids.push_back(cell.in_layout(s).id);
+  for (const PicturedSwimmer& swimmer : scene.swimmers) ids.push_back(swimmer.id);
   std::vector<PictureMark> marks;
-  for (const SwimmerMark& mark : wanted) {
-    const auto found = std::ranges::find(ids, mark.id);
-    if (found == ids.end()) throw_unknown_swimmer("--mark", mark.id, ids, cell.scene.source);
-    const PicturedBead& bead =
-        cell.scene.swimmers[static_cast<std::size_t>(found - ids.begin())].middle_bead();
-    marks.push_back({.name = mark.name, .bead = bead.centre, .radius = bead.radius});
+  for (const auto& [name, id] : options.marks) {
+    const auto found = std::ranges::find(ids, id);
+    if (found == ids.end()) throw_unknown_swimmer("--mark", id, ids, scene.source);
+    marks.push_back({name, scene.swimmers[static_cast<std::size_t>(found - ids.begin())].middle_bead()});
   }
   return marks;
 }
@@ -186,17 +154,11 @@ Note types_note(const Layout& layout) {
 
 /// Returns what the colours mean; an empty note if all swimmers have the same.
 Note colours_note(SwarmColours colours, const std::vector<PicturedSwimmer>& swimmers) {
+  constexpr std::array meanings{"Blocks of swimmers alternate in colour.", "Each swimmer has a colour.",
+                                "Colours show the types of the swimmers."};
   const auto is_first = [&](const PicturedSwimmer& one) { return one.colour == swimmers.front().colour; };
   if (std::ranges::all_of(swimmers, is_first)) return {};
-  switch (colours) {
-    case SwarmColours::blocks:
-      return {.text = "Blocks of swimmers alternate in colour."};
-    case SwarmColours::swimmers:
-      return {.text = "Each swimmer has a colour."};
-    case SwarmColours::types:
-      return {.text = "Colours show the types of the swimmers."};
-  }
-  return {};
+  return {.text = meanings[static_cast<std::size_t>(colours)]};
 }
 
 std::vector<PictureDistance> distances(const SwarmScene& scene, const std::vector<PicturedSwimmer>& swimmers,
@@ -223,14 +185,14 @@ SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlag
       only_file(files, "a swarm is drawn from one layout or one trajectory (.h5md)"), options.frame);
   const Triple repeat{options.repeat[0], options.repeat[1], options.repeat[2]};
   require_repeatable(scene, repeat);
-  const Cell cell = cell_of(scene);
   SwarmPicture picture{.title = "Swarm " + scene.time_text,
                        .box = scene.box.cwiseProduct(Vec3(repeat[0], repeat[1], repeat[2])),
-                       .swimmers = copies_of(cell, options),
-                       .keys = keys(scene.layout, options.colours),
-                       .marks = marks(cell, options.marks),
+                       .swimmers = copies_of(scene, options),
+                       .marks = marks(scene, options),
                        .length_unit = length_unit(scene.layout.units),
                        .origin = scene.origin};
+  if (options.colours == SwarmColours::types)
+    for (const auto& [name, type] : scene.layout.types) picture.keys.push_back(name);
   picture.notes = {{.text = scene_text(scene, repeat)},
                    colours_note(options.colours, picture.swimmers),
                    types_note(scene.layout)};
@@ -238,11 +200,34 @@ SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlag
   return picture;
 }
 
+/// Parses the value of --frame, "last" (nullopt) or a whole number. Throws InputError for another text.
+std::optional<std::size_t> parse_frame(const std::string& text) {
+  if (text == "last") return std::nullopt;
+  if (id_or_frame_number()(text).empty()) return std::stoul(text);
+  throw InputError("--frame",
+                   fmt::format("\"{}\": the frame must be \"last\" or a whole number, 0 or greater", text));
+}
+
+/// Parses a mark NAME=ID, such as "A=3". Throws InputError if the text has another form.
+std::pair<std::string, int> parse_mark(const std::string& text) {
+  const std::size_t sign = text.rfind('=');
+  const std::string id = sign == std::string::npos ? "" : text.substr(sign + 1);
+  if (sign == 0 || !id_or_frame_number()(id).empty())
+    throw InputError("--mark",
+                     fmt::format("\"{}\": the value must be a label and a swimmer's id, such as A=3", text));
+  return {text.substr(0, sign), std::stoi(id)};
+}
+
 }  // namespace
 
-Drawing add_swarm_flags(CLI::App& command) {
+DrawFigure add_swarm_flags(CLI::App& command) {
   const auto options = std::make_shared<SwarmFlags>();
-  add_frame(command, options->frame);
+  command
+      .add_option_function<std::string>(
+          "--frame", [options](const std::string& text) { options->frame = parse_frame(text); },
+          "Number of the trajectory frame to draw, counted from 0")
+      ->type_name("last|N")
+      ->default_str("last");
   add_choice(command, "--colours", options->colours,
              "Property that decides the colour of a swimmer: its block (--block-swimmers; adjacent blocks "
              "differ), its id, or its type");
@@ -256,11 +241,20 @@ Drawing add_swarm_flags(CLI::App& command) {
                     "Number of periodic copies of the box to draw along x, y, z, the box itself included")
       ->type_name("NX,NY,NZ")
       ->default_str("1,1,1");
-  add_marks(command, options->marks);
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--mark",
+          [options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) options->marks.push_back(parse_mark(text));
+          },
+          "Names to write beside swimmers, each with the id of its swimmer, for example A=3.")
+      ->type_name("NAME=ID,...")
+      ->delimiter(',')
+      ->default_str("none");
   command.add_flag("--distances", options->distances,
                    "Draw the distances C between neighbouring swimmers of a block and D between adjacent "
                    "blocks; for layouts only.");
-  return [options](const PlotFiles& files) { return swarm_figure(files.inputs, *options); };
+  return [options](const PlotFiles& files) { return draw(swarm_figure(files.inputs, *options)); };
 }
 
 }  // namespace beadswim

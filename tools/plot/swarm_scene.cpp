@@ -6,7 +6,6 @@
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
-#include "beadswim/swimmers/swimmer_shape.hpp"
 #include "plot_labels.hpp"
 
 namespace beadswim {
@@ -20,50 +19,38 @@ std::size_t select_frame(const TrajectoryFile& file, std::optional<std::size_t> 
                                           file.source, last));
 }
 
-std::vector<std::array<int, 2>> bonds_of(const SwimmerType& type) {
-  std::vector<std::array<int, 2>> bonds;
-  for (const Bond& bond : type.bonds) bonds.push_back(bond.beads);
-  return bonds;
+/// Adds the swimmers of `in_layout`. `centres`, `radii`: of all their beads [length].
+void add_swimmers(const std::vector<Vec3>& centres, const std::vector<double>& radii, SwarmScene& scene) {
+  const std::vector<Layer> layers = swimmer_layers(scene.layout);
+  scene.layers = layer_count(layers);
+  std::size_t next = 0;
+  for (const std::size_t index : scene.in_layout) {
+    const auto& placed = scene.layout.swimmers[index];
+    const SwimmerType& type = scene.layout.types.at(placed.type);
+    PicturedSwimmer swimmer{.id = placed.id, .beads = {}, .layer = layers[index]};
+    for (const Bond& bond : type.bonds) swimmer.bonds.push_back(bond.beads);
+    for (const std::size_t end = next + type.beads.size(); next < end; ++next)
+      swimmer.beads.push_back({.centre = centres[next], .radius = radii[next]});
+    scene.swimmers.push_back(std::move(swimmer));
+  }
 }
 
 SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wanted) {
-  const TrajectoryHeader& header = file.reader.header();
   const TrajectoryFrame frame = file.reader.frame(select_frame(file, wanted));
   SwarmScene scene{.source = file.source,
                    .time_text = fmt::format("after {}", cycles_text({frame.time / file.period()})),
-                   .is_layout = false,
                    .layout = file.layout,
-                   .in_layout = file.in_layout,
-                   .swimmers = {}};
-  const std::vector<std::size_t> first = header.first_beads();
-  for (std::size_t s = 0; s < first.size(); ++s) {
-    const SwimmerType& type = file.type(s);
-    PicturedSwimmer swimmer{.id = header.swimmer[first[s]], .beads = {}, .bonds = bonds_of(type)};
-    for (std::size_t b = first[s]; b < first[s] + type.beads.size(); ++b)
-      swimmer.beads.push_back({.centre = frame.positions[b], .radius = header.radius[b]});
-    scene.swimmers.push_back(std::move(swimmer));
-  }
+                   .in_layout = file.in_layout};
+  add_swimmers(frame.positions, file.reader.header().radius, scene);
   return scene;
 }
 
 SwarmScene scene_of(Layout layout, const std::string& source) {
-  SwarmScene scene{.source = source,
-                   .time_text = "as laid out",
-                   .is_layout = true,
-                   .layout = std::move(layout),
-                   .in_layout = {},
-                   .swimmers = {}};
+  SwarmScene scene{
+      .source = source, .time_text = "as laid out", .is_layout = true, .layout = std::move(layout)};
   const Swarm swarm = listed_swimmers(scene.layout);
-  const std::vector<Vec3> centres = start_positions(swarm);
-  auto centre = centres.begin();
-  for (const PlacedSwimmer& swimmer : swarm.swimmers) {
-    const SwimmerType& type = swarm.type_of(swimmer);
-    scene.in_layout.push_back(scene.in_layout.size());
-    PicturedSwimmer pictured{.id = swimmer.id, .beads = {}, .bonds = bonds_of(type)};
-    for (const Bead& bead : type.beads)
-      pictured.beads.push_back({.centre = *centre++, .radius = bead.radius});
-    scene.swimmers.push_back(std::move(pictured));
-  }
+  for (std::size_t s = 0; s < swarm.swimmers.size(); ++s) scene.in_layout.push_back(s);
+  add_swimmers(start_positions(swarm), bead_radii(swarm), scene);
   return scene;
 }
 

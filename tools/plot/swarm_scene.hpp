@@ -6,6 +6,7 @@
 
 #include "beadswim/figure/swarm_picture.hpp"
 #include "beadswim/scene/layout.hpp"
+#include "beadswim/scene/swarm.hpp"
 
 namespace beadswim {
 
@@ -15,8 +16,9 @@ struct SwarmScene {
   std::string time_text;  ///< "after 124 cycles" or "as laid out"
   bool is_layout = false;
   Layout layout;
-  std::vector<std::size_t> in_layout;     ///< index in layout.swimmers of each element of `swimmers`
-  std::vector<PicturedSwimmer> swimmers;  ///< the middle bead of each swimmer is in the box
+  std::vector<std::size_t> in_layout{};     ///< index in layout.swimmers of each element of `swimmers`
+  std::vector<PicturedSwimmer> swimmers{};  ///< with layers; the middle bead of each is in the box
+  Layer layers{};                           ///< number of layers of swimmers along x, y, z
   Vec3 box = Vec3::Zero();     ///< edges of the box, or, in open space, of a box around the swimmers [length]
   Vec3 origin = Vec3::Zero();  ///< place of the corner of this box in the coordinates of the layout [length]
 

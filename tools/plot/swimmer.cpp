@@ -13,7 +13,6 @@
 #include "beadswim/scene/swimmer_parameters.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
-#include "flags.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
 
@@ -115,7 +114,7 @@ SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optiona
 
 }  // namespace
 
-Drawing add_swimmer_flags(CLI::App& command) {
+DrawFigure add_swimmer_flags(CLI::App& command) {
   const auto ids = std::make_shared<std::vector<int>>();
   add_swimmers(command, *ids, "Id of the swimmer to draw")
       ->type_name("ID")
@@ -126,7 +125,7 @@ Drawing add_swimmer_flags(CLI::App& command) {
           "--swimmers",
           fmt::format("{} ids are given, but a sketch shows one swimmer; give one id", ids->size()));
     const auto id = ids->empty() ? std::nullopt : std::optional(ids->front());
-    return swimmer_figure(files.inputs, id);
+    return draw(swimmer_figure(files.inputs, id));
   };
 }
 

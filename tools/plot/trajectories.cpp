@@ -13,26 +13,22 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
-#include "beadswim/figure/curves.hpp"
+#include "beadswim/figure/figure.hpp"
 #include "beadswim/scene/units.hpp"
-#include "flags.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
 
 namespace beadswim {
 namespace {
 
-/// Abscissa of the figure.
-enum class Against {
-  time,
-  angle,  ///< of the swimmer's axis to the plane across the coordinate that is drawn
-};
-
 struct TrajectoryFlags {
   std::vector<int> swimmers;  ///< ids; empty: all swimmers
   std::vector<int> beads;     ///< numbers from 1; empty: the middle bead of each swimmer
   int axis = 0;               ///< coordinate that is drawn: 0, 1, 2 for x, y, z
-  Against against = Against::time;
+  /// The abscissa is the angle of the swimmer's axis to the plane across this coordinate, not the time.
+  bool against_angle = false;
+
+  std::size_t beads_per_swimmer() const { return std::max<std::size_t>(1, beads.size()); }
 };
 
 constexpr std::size_t max_curves = 12;  // readers cannot distinguish more curves
@@ -48,90 +44,56 @@ std::vector<TrajectoryFile> open_all(const std::vector<std::string>& paths) {
   return files;
 }
 
-std::vector<int> selected_swimmers(const TrajectoryFile& file, const TrajectoryFlags& options) {
-  return options.swimmers.empty() ? file.swimmers() : options.swimmers;
-}
-
 /// Returns the number of the middle one of `beads` beads.
 int middle_bead(int beads) {
   return beads / 2 + 1;
 }
 
-/// Returns the indices of the selected beads of a swimmer in the trajectory. Throws InputError if the
-/// trajectory has no such swimmer, or if the swimmer has fewer beads.
-std::vector<std::size_t> bead_indices(const TrajectoryFile& file, int swimmer, std::vector<int> selected) {
-  const std::vector<int>& of_bead = file.reader.header().swimmer;
-  const auto first = std::ranges::find(of_bead, swimmer);
-  if (first == of_bead.end()) throw_unknown_swimmer("--swimmers", swimmer, file.swimmers(), file.source);
-  const auto beads = static_cast<int>(std::ranges::count(of_bead, swimmer));
-  if (selected.empty()) selected = {middle_bead(beads)};
-  std::vector<std::size_t> indices;
-  for (const int bead : selected) {
-    if (bead > beads)
-      throw InputError("--beads",
-                       fmt::format("swimmer {} in {} has no bead {}; its beads have the numbers 1 to {}",
-                                   swimmer, file.source, bead, beads));
-    indices.push_back(static_cast<std::size_t>(first - of_bead.begin() + bead - 1));
-  }
-  return indices;
-}
-
-int beads_per_swimmer(const TrajectoryFlags& flags) {
-  return flags.beads.empty() ? 1 : static_cast<int>(flags.beads.size());
-}
-
-/// Returns the label of a curve, such as "run, swimmer 0, bead 2". Omits the file if there is only one.
-/// `bead`: nullopt to omit the bead.
-std::string curve_label(const TrajectoryFile& file, bool several_files, int swimmer,
-                        std::optional<int> bead) {
-  std::string label = fmt::format("swimmer {}", swimmer);
-  if (several_files) label = std::filesystem::path(file.source).stem().string() + ", " + label;
-  if (bead) label += fmt::format(", bead {}", *bead);
-  return label;
-}
-
 /// Returns the angle of a swimmer's axis to the plane across a coordinate [degree].
-double angle_of(const TrajectoryFile& file, int swimmer, const TrajectoryFrame& frame, int coordinate) {
-  const std::vector<int> ids = file.swimmers();
-  const std::size_t index = std::ranges::find(ids, swimmer) - ids.begin();
-  const std::size_t first = file.reader.header().first_beads()[index];
-  const SwimmerType& type = file.type(index);
+double angle_of(const TrajectoryFile& file, std::size_t swimmer, const TrajectoryFrame& frame,
+                int coordinate) {
+  const std::size_t first = file.reader.header().first_beads()[swimmer];
+  const SwimmerType& type = file.type(swimmer);
   const std::span<const Vec3> beads(&frame.positions[first], type.beads.size());
-  const Vec3 axis = axis_of(type, beads, file.layout.swimmers[file.in_layout[index]].orientation());
+  const Vec3 axis = axis_of(type, beads, file.layout.swimmers[file.in_layout[swimmer]].orientation());
   return std::asin(std::clamp(axis[coordinate], -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-/// Returns the curves of a file, sorted by swimmer and then by bead.
+/// Returns the curves of a file, sorted by swimmer and then by bead, with labels such as "run, swimmer 0,
+/// bead 2". A label omits the file if there is only one. Throws InputError if the trajectory has no such
+/// swimmer, or if a swimmer has fewer beads.
 std::vector<Series> curves_of(const TrajectoryFile& file, bool several_files, const TrajectoryFlags& flags) {
-  std::vector<std::size_t> beads;  // indices in the trajectory
-  std::vector<int> swimmers;       // of each curve
+  const std::vector<int> ids = file.swimmers();
+  std::vector<std::size_t> swimmers, beads;  // indices in the trajectory, of each curve
   std::vector<Series> curves;
-  for (const int swimmer : selected_swimmers(file, flags)) {
-    std::ranges::copy(bead_indices(file, swimmer, flags.beads), std::back_inserter(beads));
-    swimmers.insert(swimmers.end(), beads_per_swimmer(flags), swimmer);
-    for (int i = 0; i < beads_per_swimmer(flags); ++i)
-      curves.push_back({curve_label(file, several_files, swimmer,
-                                    flags.beads.size() > 1 ? std::optional(flags.beads[i]) : std::nullopt)});
+  for (const int id : flags.swimmers.empty() ? ids : flags.swimmers) {
+    const auto found = std::ranges::find(ids, id);
+    if (found == ids.end()) throw_unknown_swimmer("--swimmers", id, ids, file.source);
+    const auto swimmer = static_cast<std::size_t>(found - ids.begin());
+    const int num_beads = static_cast<int>(file.type(swimmer).beads.size());
+    std::string label = fmt::format("swimmer {}", id);
+    if (several_files) label = std::filesystem::path(file.source).stem().string() + ", " + label;
+    for (const int bead : flags.beads.empty() ? std::vector{middle_bead(num_beads)} : flags.beads) {
+      if (bead > num_beads)
+        throw InputError(
+            "--beads", fmt::format("swimmer {} in {} has no bead {}; its beads have the numbers 1 to {}", id,
+                                   file.source, bead, num_beads));
+      swimmers.push_back(swimmer);
+      beads.push_back(file.reader.header().first_beads()[swimmer] + static_cast<std::size_t>(bead) - 1);
+      curves.push_back({flags.beads.size() > 1 ? fmt::format("{}, bead {}", label, bead) : label});
+    }
   }
   for (std::size_t n = 0; n < file.reader.frames(); ++n) {
     const TrajectoryFrame frame = file.reader.frame(n);
     const double cycles = frame.time / file.period();
     constexpr double roundoff = 1e-6;
-    if (flags.against == Against::angle && std::abs(cycles - std::round(cycles)) > roundoff) continue;
+    if (flags.against_angle && std::abs(cycles - std::round(cycles)) > roundoff) continue;
     for (std::size_t c = 0; c < curves.size(); ++c) {
-      curves[c].x.push_back(flags.against == Against::time ? cycles
-                                                           : angle_of(file, swimmers[c], frame, flags.axis));
+      curves[c].x.push_back(flags.against_angle ? angle_of(file, swimmers[c], frame, flags.axis) : cycles);
       curves[c].y.push_back(frame.positions[beads[c]][flags.axis]);
     }
   }
   return curves;
-}
-
-void require_few(std::size_t curves, std::size_t max_curves) {
-  if (curves <= max_curves) return;
-  throw InputError("--swimmers", fmt::format("the figure would have {} curves, but at most {} can be "
-                                             "distinguished; name fewer swimmers or beads",
-                                             curves, max_curves));
 }
 
 /// Returns a note that states the scenes and the lengths of all trajectories, with ranges where they differ.
@@ -152,22 +114,30 @@ Note scenes_note(const std::vector<TrajectoryFile>& files) {
 }
 
 /// Returns how to read the figure. Coordinates differ from wrapped ones only if a box is periodic.
-Note reading_note(const std::vector<TrajectoryFile>& files, bool is_by_time, int axis) {
+Note reading_note(const std::vector<TrajectoryFile>& files, const TrajectoryFlags& flags) {
   const auto is_wrapped = [&](const TrajectoryFile& file) {
-    return file.layout.domain.box && file.layout.domain.box->is_periodic(axis);
+    return file.layout.domain.box && file.layout.domain.box->is_periodic(flags.axis);
   };
   std::vector<std::string> texts;
-  if (!is_by_time) texts.emplace_back("Points at the ends of cycles.");
+  if (flags.against_angle) texts.emplace_back("Points at the ends of cycles.");
   if (std::ranges::any_of(files, is_wrapped)) texts.emplace_back("Coordinates are not wrapped into the box.");
-  if (is_by_time) texts.emplace_back("The mean slope over a cycle is the velocity, mean flow included.");
+  if (!flags.against_angle)
+    texts.emplace_back("The mean slope over a cycle is the velocity, mean flow included.");
   return {.text = fmt::format("{}", fmt::join(texts, " "))};
 }
 
-/// Makes the lines of a long figure solid, each in its own colour: dashes would look like slow oscillations.
-void make_solid(std::vector<Series>& curves) {
+/// Sets the styles of curves, which are sorted by swimmer and then by bead. The colour identifies the
+/// swimmer, and the dash pattern identifies the bead. If there is only one swimmer, colours identify its
+/// beads. If there is one bead per swimmer, each swimmer also has its own dash pattern, so that coinciding
+/// curves remain visible. The lines of a long figure are solid, each in its own colour: dashes would look
+/// like slow oscillations.
+void set_styles(std::size_t num_beads, bool is_long, std::vector<Series>& curves) {
+  const bool one_swimmer = curves.size() == num_beads;
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    curves[c].colour = static_cast<int>(c);
-    curves[c].dash = 0;
+    const std::size_t swimmer = c / num_beads, bead = c % num_beads;
+    curves[c].mark = Mark::line;
+    curves[c].colour = static_cast<int>(is_long ? c : one_swimmer ? bead : swimmer);
+    curves[c].dash = static_cast<int>(is_long || one_swimmer ? 0 : num_beads == 1 ? swimmer : bead);
   }
 }
 
@@ -192,29 +162,34 @@ std::string title_of(const std::vector<TrajectoryFile>& files, const TrajectoryF
 
 Figure trajectory_figure(const std::vector<std::string>& paths, const TrajectoryFlags& options) {
   const std::vector<TrajectoryFile> files = open_all(paths);
-  std::size_t swimmers = 0;
-  for (const TrajectoryFile& file : files) swimmers += selected_swimmers(file, options).size();
-  const bool by_time = options.against == Against::time;
-  const bool is_long = by_time && std::ranges::any_of(files, [](const TrajectoryFile& file) {
-                         return file.reader.times().back() > max_dashed * file.period();
-                       });
-  require_few(swimmers * static_cast<std::size_t>(beads_per_swimmer(options)),
-              is_long ? max_solid : max_curves);
-  const std::string across = fmt::format("angle of the axis to the plane across {}", "xyz"[options.axis]);
-  Panel panel{.x_label = by_time ? AxisLabel{"time", "cycles of the driving"} : AxisLabel{across, "degrees"},
-              .y_label = {std::string(1, "xyz"[options.axis]), length_unit(files.front().layout.units)}};
+  const auto is_long_file = [](const TrajectoryFile& file) {
+    return file.reader.times().back() > max_dashed * file.period();
+  };
+  const bool is_long = !options.against_angle && std::ranges::any_of(files, is_long_file);
+  std::size_t curves = 0;
+  for (const TrajectoryFile& file : files)
+    curves += options.beads_per_swimmer() *
+              (options.swimmers.empty() ? file.in_layout.size() : options.swimmers.size());
+  if (const std::size_t limit = is_long ? max_solid : max_curves; curves > limit)
+    throw InputError("--swimmers", fmt::format("the figure would have {} curves, but at most {} can be "
+                                               "distinguished; name fewer swimmers or beads",
+                                               curves, limit));
+  const char axis = "xyz"[options.axis];
+  Panel panel{.x_label = {"time", "cycles of the driving"},
+              .y_label = {std::string(1, axis), length_unit(files.front().layout.units)}};
+  if (options.against_angle)
+    panel.x_label = {fmt::format("angle of the axis to the plane across {}", axis), "degrees"};
   for (const TrajectoryFile& file : files)
     std::ranges::move(curves_of(file, files.size() > 1, options), std::back_inserter(panel.series));
-  style_bead_curves(beads_per_swimmer(options), panel.series);
-  if (is_long) make_solid(panel.series);
+  set_styles(options.beads_per_swimmer(), is_long, panel.series);
   return {.title = title_of(files, options),
           .panels = {std::move(panel)},
-          .notes = {reading_note(files, by_time, options.axis), scenes_note(files)}};
+          .notes = {reading_note(files, options), scenes_note(files)}};
 }
 
 }  // namespace
 
-Drawing add_trajectory_flags(CLI::App& command) {
+DrawFigure add_trajectory_flags(CLI::App& command) {
   const auto options = std::make_shared<TrajectoryFlags>();
   add_swimmers(command, options->swimmers, "Ids of the swimmers to draw")->default_str("all");
   add_whole_numbers(command, "--beads", options->beads, number_list({}, whole_number(1, max_beads)),
@@ -226,10 +201,8 @@ Drawing add_trajectory_flags(CLI::App& command) {
   add_word(
       command, "--against", {"time", "angle"}, "time",
       "Abscissa: time, or the angle of the swimmer's axis to the plane across the coordinate, such as a wall",
-      [options](const std::string& word) {
-        options->against = word == "time" ? Against::time : Against::angle;
-      });
-  return [options](const PlotFiles& files) { return Drawn(trajectory_figure(files.inputs, *options)); };
+      [options](const std::string& word) { options->against_angle = word == "angle"; });
+  return [options](const PlotFiles& files) { return draw(trajectory_figure(files.inputs, *options)); };
 }
 
 }  // namespace beadswim

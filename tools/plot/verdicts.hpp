@@ -1,16 +1,19 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
-#include "beadswim/figure/figure.hpp"
+#include "beadswim/compare/errors_by_setting.hpp"
 
 namespace beadswim {
 
-/// Returns the figure of the errors of velocity and arm amplitudes against the cost in core-seconds, with one
-/// point per verdict. The error of a point is the root mean square of all errors of the verdict, relative to
-/// the method that determined the verdict or to the method that `methods` names. Throws InputError if a
-/// verdict does not contain this method, or if `methods` has more than one name.
-Figure verdict_figure(const std::vector<std::string>& files, const std::vector<std::string>& methods);
+/// Reads verdicts. Each is a setting with the name of its file: its cost, and the root mean square of all
+/// errors of velocity and arm amplitudes, relative to the method that determined the verdict or to the method
+/// that `named` names. `drawn`: these methods. Throws InputError if a verdict does not contain the named
+/// method or its cost, if `named` has more than one name, or if no verdict compares these quantities.
+std::vector<ErrorsOfSetting> read_verdicts(const std::vector<std::string>& files,
+                                           const std::vector<std::string>& named,
+                                           std::set<std::string>& drawn);
 
 }  // namespace beadswim

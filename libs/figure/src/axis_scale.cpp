@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
 namespace beadswim {
 namespace {
@@ -42,16 +43,18 @@ void add_round_ticks(AxisScale& scale, TickKind kind) {
   const double length = scale.high - scale.low;
   const double step = kind == TickKind::any ? round_step(length / target_intervals)
                                             : std::max(1.0, round_step(length / target_integer_intervals));
-  scale.ticks = multiples_within(scale.low, scale.high, step);
   const double largest = std::max(std::abs(scale.low), std::abs(scale.high));
   const bool plain = largest >= 0.01 && largest < 1e5;
   scale.exponent = plain ? 0 : decimal_exponent(largest);
-  scale.decimals = std::max(0, scale.exponent - decimal_exponent(step));
+  const int decimals = std::max(0, scale.exponent - decimal_exponent(step));
+  for (const double tick : multiples_within(scale.low, scale.high, step)) {
+    const double shown = tick / std::pow(10.0, scale.exponent);
+    scale.ticks.push_back({tick, fmt::format("{:.{}f}", shown == 0 ? 0.0 : shown, decimals)});  // avoids "-0"
+  }
 }
 
 /// Returns the given multiples of all powers of ten that are within the range of the axis.
-template <std::size_t Count>
-std::vector<double> decade_ticks(const AxisScale& scale, const std::array<int, Count>& multiples) {
+std::vector<double> decade_ticks(const AxisScale& scale, std::initializer_list<int> multiples) {
   std::vector<double> ticks;
   for (int decade = decimal_exponent(scale.low); decade <= decimal_exponent(scale.high); ++decade) {
     for (const int multiple : multiples) {
@@ -67,13 +70,6 @@ std::vector<double> decade_ticks(const AxisScale& scale, const std::array<int, C
 double AxisScale::fraction(double value) const {
   if (kind == ScaleKind::linear) return (value - low) / (high - low);
   return std::log(value / low) / std::log(high / low);
-}
-
-std::string AxisScale::tick_label(double tick) const {
-  if (labels == TickLabels::powers) return power_of_ten(static_cast<int>(std::lround(std::log10(tick))));
-  const double shown = tick / std::pow(10.0, exponent);
-  if (labels == TickLabels::digits) return fmt::format("{:g}", shown);
-  return fmt::format("{:.{}f}", shown == 0 ? 0.0 : shown, decimals);  // avoids "-0"
 }
 
 AxisScale linear_scale(double low, double high, TickKind kind) {
@@ -98,16 +94,16 @@ AxisScale logarithmic_scale(double low, double high) {
     add_round_ticks(scale, TickKind::any);
     return scale;
   }
-  scale.minor_ticks = decade_ticks(scale, std::array{1, 2, 3, 4, 5, 6, 7, 8, 9});
+  scale.minor_ticks = decade_ticks(scale, {1, 2, 3, 4, 5, 6, 7, 8, 9});
   if (decades >= 2) {
-    scale.ticks = decade_ticks(scale, std::array{1});
-    scale.labels = TickLabels::powers;
+    for (const double tick : decade_ticks(scale, {1}))
+      scale.ticks.push_back({tick, power_of_ten(static_cast<int>(std::lround(std::log10(tick))))});
     return scale;
   }
-  scale.ticks = decade_ticks(scale, std::array{1, 2, 3, 5});
-  scale.labels = TickLabels::digits;
   const bool plain = scale.low >= 0.01 && scale.high < 1e5;
   scale.exponent = plain ? 0 : decimal_exponent(scale.low);
+  for (const double tick : decade_ticks(scale, {1, 2, 3, 5}))
+    scale.ticks.push_back({tick, fmt::format("{:g}", tick / std::pow(10.0, scale.exponent))});
   return scale;
 }
 

@@ -94,17 +94,17 @@ void append_marks_and_curves(const std::vector<Curve>& marks, const std::vector<
   }
 }
 
-void append_levels(const std::vector<Level>& levels, double from, double to, int colour, Panel& panel) {
+void append_levels(const std::vector<Curve>& levels, double from, double to, int colour, Panel& panel) {
   for (int l = 0; l < static_cast<int>(levels.size()); ++l) {
-    const Level& level = levels[static_cast<std::size_t>(l)];
-    panel.series.push_back(
-        {.label = level.label,
-         .x = {from, to},
-         .y = {level.y, level.y},
-         .errors = level.error > 0 ? std::vector{level.error, level.error} : std::vector<double>{},
-         .mark = Mark::line,
-         .colour = colour,
-         .dash = l});
+    const auto& [label, points] = levels[static_cast<std::size_t>(l)];
+    const auto [x, y, usable, error] = points.front();
+    panel.series.push_back({.label = label,
+                            .x = {from, to},
+                            .y = {y, y},
+                            .errors = error > 0 ? std::vector{error, error} : std::vector<double>{},
+                            .mark = Mark::line,
+                            .colour = colour,
+                            .dash = l});
   }
 }
 
@@ -119,17 +119,6 @@ bool has_omitted_values(const Panel& panel) {
     return std::ranges::any_of(series.y, [](double value) { return value <= 0; });
   };
   return panel.y_scale == ScaleKind::logarithmic && std::ranges::any_of(panel.series, lacks_some);
-}
-
-void style_bead_curves(int num_beads, std::vector<Series>& curves) {
-  const bool one_swimmer = static_cast<int>(curves.size()) == num_beads;
-  for (int c = 0; c < static_cast<int>(curves.size()); ++c) {
-    const int swimmer = c / num_beads, bead = c % num_beads;
-    Series& curve = curves[static_cast<std::size_t>(c)];
-    curve.mark = Mark::line;
-    curve.colour = one_swimmer ? bead : swimmer;
-    curve.dash = one_swimmer ? 0 : (num_beads == 1 ? swimmer : bead);
-  }
 }
 
 }  // namespace beadswim

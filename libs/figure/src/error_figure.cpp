@@ -55,22 +55,13 @@ std::vector<ErrorPoint> pareto_front(std::vector<ErrorPoint> points, double unce
   return front;
 }
 
-Series uncertainty_line(const std::vector<ErrorPoint>& points, double error) {
-  const auto [cheapest, costliest] = std::ranges::minmax(points, {}, &ErrorPoint::cost);
-  return {.label = "uncertainty of the reference",
-          .x = {cheapest.cost, costliest.cost},
-          .y = {100 * error, 100 * error},
-          .mark = Mark::line,
-          .colour = black,
-          .dash = 1,
-          .emphasis = Emphasis::faint};
-}
-
-void append(const std::vector<ErrorPoint>& points, Series& series) {
+/// Returns a series of this style through the points, with errors in percent.
+Series with_points(const std::vector<ErrorPoint>& points, Series style) {
   for (const ErrorPoint& point : points) {
-    series.x.push_back(point.cost);
-    series.y.push_back(100 * point.error);
+    style.x.push_back(point.cost);
+    style.y.push_back(100 * point.error);
   }
+  return style;
 }
 
 /// Adds a panel, and a note that names the most accurate point and counts what is not drawn. `labels`: labels
@@ -87,21 +78,26 @@ void add_panel(QuantityErrors errors, const std::string& cost, const std::vector
   for (const ErrorSeries& one : errors.series) {
     if (one.points.empty()) continue;
     const auto position = static_cast<int>(std::ranges::find(labels, one.label) - labels.begin());
-    Series series{.label = one.label,
-                  .mark = Mark::line_and_points,
-                  .colour = position,
-                  .shape = position,
-                  .dash = position};
-    append(one.points, series);
+    panel.series.push_back(with_points(one.points, {.label = one.label,
+                                                    .mark = Mark::line_and_points,
+                                                    .colour = position,
+                                                    .shape = position,
+                                                    .dash = position}));
     points.insert(points.end(), one.points.begin(), one.points.end());
-    panel.series.push_back(std::move(series));
   }
   const double uncertainty = errors.uncertainty.value_or(0);
   const std::vector<ErrorPoint> front = pareto_front(points, uncertainty);
-  Series line{.label = "front", .mark = Mark::line, .colour = black, .emphasis = Emphasis::faint};
-  append(front, line);
-  panel.series.push_back(std::move(line));
-  if (errors.uncertainty) panel.series.push_back(uncertainty_line(points, uncertainty));
+  panel.series.push_back(with_points(
+      front, {.label = "front", .mark = Mark::line, .colour = black, .emphasis = Emphasis::faint}));
+  if (errors.uncertainty) {
+    auto [cheapest, costliest] = std::ranges::minmax(points, {}, &ErrorPoint::cost);
+    cheapest.error = costliest.error = uncertainty;
+    panel.series.push_back(with_points({cheapest, costliest}, {.label = "uncertainty of the reference",
+                                                               .mark = Mark::line,
+                                                               .colour = black,
+                                                               .dash = 1,
+                                                               .emphasis = Emphasis::faint}));
+  }
   figure.panels.push_back(std::move(panel));
   figure.notes.push_back(
       {.text = fmt::format("{}{}{}: {}{}.", errors.scene.empty() ? "" : errors.scene + ": ",

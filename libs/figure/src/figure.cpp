@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <tuple>
 
 #include "beadswim/core/error.hpp"
-#include "csv.hpp"
-#include "note_block.hpp"
-#include "palette.hpp"
+#include "beadswim/core/vec3.hpp"
 #include "svg.hpp"
 #include "visible_stretches.hpp"
 
@@ -54,16 +51,6 @@ struct PlotArea {
   }
 };
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void include(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
-
 /// Returns true if an axis with this scale can show the value.
 bool can_show(double value, ScaleKind scale) {
   return std::isfinite(value) && (scale == ScaleKind::linear || value > 0);
@@ -73,41 +60,34 @@ double error_at(const Series& series, std::size_t i) {
   return i < series.errors.size() ? series.errors[i] : 0;
 }
 
-struct PanelRange {
-  Range x, y;
+/// Range of the values along each axis; x and y are its coordinates.
+using DataRange = Eigen::AlignedBox2d;
 
-  void include(const Series& series, const Panel& panel) {
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
-      if (!can_show(series.x[i], panel.x_scale) || !can_show(series.y[i], panel.y_scale)) continue;
-      x.include(series.x[i]);
-      y.include(series.y[i]);
-      for (const double y_end : {series.y[i] - error_at(series, i), series.y[i] + error_at(series, i)})
-        if (can_show(y_end, panel.y_scale)) y.include(y_end);
-    }
-  }
-  void include(const MapCell& cell, const Panel& panel) {
-    for (const double end : {cell.x_low, cell.x_high})
-      if (can_show(end, panel.x_scale)) x.include(end);
-    for (const double end : {cell.y_low, cell.y_high})
-      if (can_show(end, panel.y_scale)) y.include(end);
-  }
-  bool is_empty() const { return x.high < x.low; }
-};
+/// Extends the range by a point with bars of length `error` above and below it, as far as axes can show them.
+void include(double x, double y, double error, const Panel& panel, DataRange& range) {
+  if (!can_show(x, panel.x_scale) || !can_show(y, panel.y_scale)) return;
+  for (const double y_end : {y, y - error, y + error})
+    if (can_show(y_end, panel.y_scale)) range.extend(Eigen::Vector2d(x, y_end));
+}
 
 /// Returns the range of the data of a panel: x of all series, and y of the plain series (Emphasis::plain). If
 /// the plain series have no points, the range of y includes all series. Throws InputError if there is no
 /// point at all.
-PanelRange panel_range(const Panel& panel) {
-  PanelRange plain, all;
+DataRange data_range(const Panel& panel) {
+  DataRange plain, all;
   for (const Series& series : panel.series) {
-    all.include(series, panel);
-    if (series.emphasis == Emphasis::plain) plain.include(series, panel);
+    DataRange range;
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+      include(series.x[i], series.y[i], error_at(series, i), panel, range);
+    all.extend(range);
+    if (series.emphasis == Emphasis::plain) plain.extend(range);
   }
   for (const MapCell& cell : panel.cells) {
-    all.include(cell, panel);
-    plain.include(cell, panel);
+    include(cell.x_low, cell.y_low, 0, panel, plain);
+    include(cell.x_high, cell.y_high, 0, panel, plain);
   }
-  if (all.is_empty()) {
+  all.extend(plain);
+  if (all.isEmpty()) {
     const bool logarithmic = panel.y_scale == ScaleKind::logarithmic;
     throw InputError(
         "figure",
@@ -115,19 +95,22 @@ PanelRange panel_range(const Panel& panel) {
             "there is no point with a {} value of \"{}\" to draw; add files that contain such a value",
             logarithmic ? "positive" : "finite", panel.y_label.quantity));
   }
-  return {all.x, plain.is_empty() ? all.y : plain.y};
+  if (!plain.isEmpty()) {
+    all.min().y() = plain.min().y();
+    all.max().y() = plain.max().y();
+  }
+  return all;
 }
 
-AxisScale axis_scale(const Range& range, ScaleKind scale, TickKind ticks) {
-  return scale == ScaleKind::linear ? linear_scale(range.low, range.high, ticks)
-                                    : logarithmic_scale(range.low, range.high);
+AxisScale axis_scale(double low, double high, ScaleKind scale, TickKind ticks) {
+  return scale == ScaleKind::linear ? linear_scale(low, high, ticks) : logarithmic_scale(low, high);
 }
 
 PlotArea plot_area(const Panel& panel, double top) {
-  const PanelRange range = panel_range(panel);
+  const DataRange range = data_range(panel);
   return {.top = top,
-          .x = axis_scale(range.x, panel.x_scale, panel.x_ticks),
-          .y = axis_scale(range.y, panel.y_scale, TickKind::any)};
+          .x = axis_scale(range.min().x(), range.max().x(), panel.x_scale, panel.x_ticks),
+          .y = axis_scale(range.min().y(), range.max().y(), panel.y_scale, TickKind::any)};
 }
 
 /// Returns the text of an axis label with unit, for example "velocity (10⁻⁵ um/s)". The text contains the
@@ -141,11 +124,11 @@ std::string label_text(const AxisLabel& label, int exponent) {
 
 std::string draw_x_axis(const PlotArea& area, const AxisLabel& label) {
   std::string elements;
-  for (const double tick : area.x.ticks) {
+  for (const auto& [tick, tick_label] : area.x.ticks) {
     const double x = area.at(tick, area.y.low).x;
     elements += svg::line({x, area.top}, {x, area.bottom()}, grid_stroke);
     elements += svg::line({x, area.bottom()}, {x, area.bottom() + tick_length}, frame_stroke);
-    elements += svg::text({x, area.bottom() + 18}, area.x.tick_label(tick), {tick_size, svg::Anchor::middle});
+    elements += svg::text({x, area.bottom() + 18}, tick_label, {tick_size, svg::Anchor::middle});
   }
   for (const double tick : area.x.minor_ticks) {
     const double x = area.at(tick, area.y.low).x;
@@ -157,12 +140,11 @@ std::string draw_x_axis(const PlotArea& area, const AxisLabel& label) {
 
 std::string draw_y_axis(const PlotArea& area, const AxisLabel& label) {
   std::string elements;
-  for (const double tick : area.y.ticks) {
+  for (const auto& [tick, tick_label] : area.y.ticks) {
     const double y = area.at(area.x.low, tick).y;
     elements += svg::line({plot_left, y}, {plot_left + plot_width, y}, grid_stroke);
     elements += svg::line({plot_left - tick_length, y}, {plot_left, y}, frame_stroke);
-    elements += svg::text({plot_left - tick_length - 4, y + 4}, area.y.tick_label(tick),
-                          {tick_size, svg::Anchor::end});
+    elements += svg::text({plot_left - tick_length - 4, y + 4}, tick_label, {tick_size, svg::Anchor::end});
   }
   for (const double tick : area.y.minor_ticks) {
     const double y = area.at(area.x.low, tick).y;
@@ -174,7 +156,7 @@ std::string draw_y_axis(const PlotArea& area, const AxisLabel& label) {
 
 svg::Stroke line_stroke(const Series& series) {
   const bool plain = series.emphasis == Emphasis::plain;
-  return {.colour = palette[palette_place(series.colour)],
+  return {.colour = svg::palette[svg::palette_place(series.colour)],
           .width = plain ? line_width : faint_line_width,
           .dashes = dashes[static_cast<std::size_t>(series.dash) % dashes.size()],
           .opacity = plain ? 1.0 : faint_opacity};
@@ -286,35 +268,22 @@ std::string draw_legend(double top, const std::vector<Series>& entries) {
 /// Returns a colour from dark blue (0) over green to yellow (1), whose lightness grows evenly. The stops are
 /// those of the colour map viridis of Matplotlib (Smith & van der Walt, 2015, CC0).
 std::string map_colour(double share) {
-  constexpr std::array<std::array<double, 3>, 9> stops{{{68, 1, 84},
-                                                        {71, 44, 122},
-                                                        {59, 81, 139},
-                                                        {44, 113, 142},
-                                                        {33, 144, 141},
-                                                        {39, 173, 129},
-                                                        {92, 200, 99},
-                                                        {170, 220, 50},
-                                                        {253, 231, 37}}};
+  constexpr std::array stops{"#440154", "#472c7a", "#3b518b", "#2c718e", "#21908d",
+                             "#27ad81", "#5cc863", "#aadc32", "#fde725"};
   const double place = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
   const std::size_t before = std::min(static_cast<std::size_t>(place), stops.size() - 2);
-  std::array<int, 3> colour{};
-  for (std::size_t c = 0; c < 3; ++c)
-    colour[c] =
-        static_cast<int>(std::lround(stops[before][c] + (place - static_cast<double>(before)) *
-                                                            (stops[before + 1][c] - stops[before][c])));
-  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+  return svg::mixed(stops[before], stops[before + 1], place - static_cast<double>(before));
 }
 
-Range value_range(const std::vector<MapCell>& cells) {
-  Range range;
-  for (const MapCell& cell : cells) range.include(cell.value);
-  return range;
+std::pair<double, double> value_range(const Panel& panel) {
+  const auto [lowest, highest] = std::ranges::minmax(panel.cells, {}, &MapCell::value);
+  return {lowest.value, highest.value};
 }
 
-std::string draw_map(const PlotArea& area, const std::vector<MapCell>& cells) {
-  const auto [low, high] = value_range(cells);
+std::string draw_map(const PlotArea& area, const Panel& panel) {
   std::string elements;
-  for (const MapCell& cell : cells)
+  const auto [low, high] = value_range(panel);
+  for (const MapCell& cell : panel.cells)
     elements += svg::area({area.at(cell.x_low, cell.y_low), area.at(cell.x_high, cell.y_low),
                            area.at(cell.x_high, cell.y_high), area.at(cell.x_low, cell.y_high)},
                           map_colour(high > low ? (cell.value - low) / (high - low) : 0.5), 1);
@@ -327,7 +296,7 @@ constexpr double bar_width = 16;  // width of the colour bar [px]
 std::string draw_colour_bar(const PlotArea& area, const Panel& panel) {
   constexpr int steps = 64;
   constexpr double top_room = 26;
-  const auto [low, high] = value_range(panel.cells);
+  const auto [low, high] = value_range(panel);
   const double top = area.top + top_room, height = area.bottom() - top;
   const AxisScale scale = linear_scale(low, high, TickKind::any);
   std::string elements = svg::text({legend_left, area.top + 10},
@@ -340,13 +309,12 @@ std::string draw_colour_bar(const PlotArea& area, const Panel& panel) {
                            {legend_left, upper}},
                           map_colour((s + 0.5) / steps), 1);
   }
-  for (const double tick : scale.ticks) {
+  for (const auto& [tick, label] : scale.ticks) {
     if (tick < low || tick > high) continue;
     const double y = high > low ? area.bottom() - height * (tick - low) / (high - low) : top + height / 2;
     elements +=
         svg::line({legend_left + bar_width, y}, {legend_left + bar_width + tick_length, y}, frame_stroke);
-    elements +=
-        svg::text({legend_left + bar_width + tick_length + 4, y + 4}, scale.tick_label(tick), {tick_size});
+    elements += svg::text({legend_left + bar_width + tick_length + 4, y + 4}, label, {tick_size});
   }
   return elements;
 }
@@ -358,7 +326,7 @@ double title_height(const Panel& panel) {
 std::string draw_panel(const Panel& panel, double top) {
   const PlotArea area = plot_area(panel, top);
   std::string elements = draw_x_axis(area, panel.x_label) + draw_y_axis(area, panel.y_label);
-  if (!panel.cells.empty()) elements += draw_map(area, panel.cells) + draw_colour_bar(area, panel);
+  if (!panel.cells.empty()) elements += draw_map(area, panel) + draw_colour_bar(area, panel);
   elements += svg::rectangle({plot_left, top}, plot_width, plot_height, frame_stroke);
   // Lines are drawn first, so that they do not hide points.
   for (const Series& series : panel.series) {
@@ -446,19 +414,6 @@ std::string maps_to_csv(const Figure& figure) {
   return lines;
 }
 
-}  // namespace
-
-std::string figure_to_svg(const Figure& figure) {
-  std::string elements = svg::text({plot_left, 30}, figure.title,
-                                   {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
-  double top = first_plot_top;
-  elements += draw_panels(figure, top);
-  const double width = page_width(figure);
-  const NoteBlock notes = draw_notes(figure.notes, {plot_left, top}, width - plot_left - margin);
-  return svg::document(width, notes.bottom + margin + line_pitch / 3, figure.title,
-                       elements + notes.elements);
-}
-
 std::string figure_to_csv(const Figure& figure) {
   const auto has_map = [](const Panel& panel) { return !panel.cells.empty(); };
   if (std::ranges::any_of(figure.panels, has_map)) return maps_to_csv(figure);
@@ -472,6 +427,20 @@ std::string figure_to_csv(const Figure& figure) {
     }
   }
   return lines;
+}
+
+}  // namespace
+
+Drawing draw(const Figure& figure) {
+  std::string elements = svg::text({plot_left, 30}, figure.title,
+                                   {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
+  double top = first_plot_top;
+  elements += draw_panels(figure, top);
+  const double width = page_width(figure);
+  const svg::NoteBlock notes = svg::draw_notes(figure.notes, {plot_left, top}, width - plot_left - margin);
+  return {.svg = svg::document(width, notes.bottom + margin + line_pitch / 3, figure.title,
+                               elements + notes.elements),
+          .csv = figure_to_csv(figure)};
 }
 
 }  // namespace beadswim

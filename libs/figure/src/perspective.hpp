@@ -1,11 +1,15 @@
 #pragma once
 
-#include <vector>
+#include <algorithm>
 
 #include "beadswim/core/vec3.hpp"
 #include "svg.hpp"
 
 namespace beadswim {
+
+/// A rectangular block [length], or an area of the page [px].
+using Block = Eigen::AlignedBox3d;
+using PageArea = Eigen::AlignedBox2d;
 
 /// Central projection of a rectangular block onto a part of the page. The eye is in front of the block, a
 /// little to the right and above. With the vector d = point - eye and the scalar product ".",
@@ -13,12 +17,28 @@ namespace beadswim {
 /// right, up and forward are the unit vectors of the directions of view.
 class Perspective {
  public:
-  /// Projects the block from `low` to `high` [length] into a rectangle of `width` x `height` px whose top
-  /// left corner is `top_left`. The projection keeps its proportions and may not fill the rectangle.
-  Perspective(const Vec3& low, const Vec3& high, svg::Point top_left, double width, double height);
+  /// Projects the block into a rectangle of `width` x `height` px whose top left corner is `top_left`. The
+  /// projection keeps its proportions and may not fill the rectangle.
+  Perspective(const Block& block, svg::Point top_left, double width, double height)
+      : eye_(block.center() + eye_distance * block.diagonal().norm() * -forward_) {
+    PageArea area;
+    for (int corner = 0; corner < 8; ++corner) {
+      const svg::Point at = project(block.corner(Block::CornerType(corner)));
+      area.extend(Eigen::Vector2d(at.x, at.y));
+    }
+    const Eigen::Vector2d size = area.sizes();
+    scale_ = std::min(width / size.x(), height / size.y());
+    shift_ = {top_left.x - scale_ * area.min().x(), top_left.y - scale_ * area.min().y()};
+    width_ = scale_ * size.x();
+    height_ = scale_ * size.y();
+  }
 
   /// Returns the projection of a point onto the page.
-  svg::Point project(const Vec3& point) const;
+  svg::Point project(const Vec3& point) const {
+    const Vec3 d = point - eye_;
+    const double shrink = scale_ / d.dot(forward_);
+    return {shift_.x + shrink * d.dot(right_), shift_.y - shrink * d.dot(up_)};
+  }
   double depth(const Vec3& point) const { return (point - eye_).dot(forward_); }  ///< from the eye [length]
   /// Returns the projected size [px] of a length that has the depth of the point.
   double projected_size(const Vec3& point, double length) const { return scale_ * length / depth(point); }
@@ -26,14 +46,14 @@ class Perspective {
   double height() const { return height_; }  ///< height of the projected block [px]
 
  private:
-  Vec3 eye_, right_, up_, forward_;
+  static constexpr double eye_distance = 3.2;  // from the centre, relative to the diagonal
+
+  const Vec3 forward_ = -Vec3(0.42, -0.84, 0.34).normalized();
+  const Vec3 right_ = Vec3::UnitZ().cross(-forward_).normalized(), up_ = (-forward_).cross(right_);
+  const Vec3 eye_;
   double scale_ = 1;
   svg::Point shift_{};
   double width_ = 0, height_ = 0;
 };
-
-/// Returns the 8 corners of a box. Bit a of the index is 1 if coordinate a of the corner is high[a], and 0 if
-/// it is low[a].
-std::vector<Vec3> box_corners(const Vec3& low, const Vec3& high);
 
 }  // namespace beadswim

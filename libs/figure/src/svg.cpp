@@ -58,17 +58,6 @@ std::string text_element(Point at, const std::string& content, const TextStyle& 
       anchors[static_cast<std::size_t>(style.anchor)], extra, content);
 }
 
-/// Returns the head, with its tip at `to`, of an arrow that starts at `from`.
-std::string arrow_head(Point from, Point to, const std::string& colour) {
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
-  const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
-  const Point foot{to.x - head_length * along.x, to.y - head_length * along.y};
-  const Point across{-head_half_width * along.y, head_half_width * along.x};
-  return fmt::format("<path d=\"M{} {} L{} {} L{} {} Z\" fill=\"{}\"/>\n", number(to.x), number(to.y),
-                     number(foot.x + across.x), number(foot.y + across.y), number(foot.x - across.x),
-                     number(foot.y - across.y), colour);
-}
-
 /// Returns the path of a closed polygon. `corners` are relative to the centre, in units of `radius`.
 std::string outline(Point centre, double radius, const std::vector<Point>& corners) {
   std::string path;
@@ -77,6 +66,18 @@ std::string outline(Point centre, double radius, const std::vector<Point>& corne
                         number(centre.y + radius * corner.y));
   }
   return path + " Z";
+}
+
+/// Returns the head, with its tip at `to`, of an arrow that starts at `from`.
+std::string arrow_head(Point from, Point to, const std::string& colour) {
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
+  const Point foot{to.x - head_length * along.x, to.y - head_length * along.y};
+  const Point across{-head_half_width * along.y, head_half_width * along.x};
+  return fmt::format(
+      "<path d=\"{}\" fill=\"{}\"/>\n",
+      outline({}, 1, {to, {foot.x + across.x, foot.y + across.y}, {foot.x - across.x, foot.y - across.y}}),
+      colour);
 }
 
 const std::array<std::vector<Point>, 3>& marker_outlines() {
@@ -89,6 +90,16 @@ const std::array<std::vector<Point>, 3>& marker_outlines() {
 }
 
 }  // namespace
+
+std::string mixed(const std::string& first, const std::string& second, double share) {
+  std::string result = "#";
+  for (std::size_t channel = 1; channel < 7; channel += 2) {
+    const int from = std::stoi(first.substr(channel, 2), nullptr, 16);
+    const int to = std::stoi(second.substr(channel, 2), nullptr, 16);
+    result += fmt::format("{:02x}", std::lround(from + share * (to - from)));
+  }
+  return result;
+}
 
 std::string line(Point from, Point to, const Stroke& stroke) {
   return fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>\n", number(from.x), number(from.y),
@@ -176,3 +187,9 @@ std::string document(double width, double height, const std::string& title, cons
 }
 
 }  // namespace beadswim::svg
+
+std::string beadswim::quoted(const std::string& text) {
+  std::string all = "\"";
+  for (const char c : text) all += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return all + "\"";
+}

@@ -1,12 +1,27 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
+
+#include "beadswim/figure/drawing.hpp"
 
 // Elements of an SVG document as text. Lengths are in px. Numbers have two decimals, so that the bytes depend
 // only on the arguments.
 
 namespace beadswim::svg {
+
+/// Palette of Okabe and Ito for all kinds of colour vision. Yellow is omitted because it is faint on white.
+inline constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                    "#E69F00", "#56B4E9", "#000000"};
+
+/// Returns the index of a colour in the palette, modulo the size of the palette.
+constexpr std::size_t palette_place(int colour) {
+  return static_cast<std::size_t>(colour) % palette.size();
+}
+
+/// Returns a mixture of two colours "#rrggbb". `share`: weight of the second colour.
+std::string mixed(const std::string& first, const std::string& second, double share);
 
 struct Point {
   double x = 0, y = 0;
@@ -55,7 +70,24 @@ std::string marker(Point centre, int shape, const std::string& colour, double op
 /// points.
 double text_width(const std::string& content, double size);
 
+/// Notes as SVG elements.
+struct NoteBlock {
+  std::string elements;  ///< a group of the class "notes"; empty if there is no note
+  double bottom = 0;     ///< baseline of the last line, or one line above `top_left` if there is no note
+};
+
+/// Draws the notes of a drawing, shortened by shorten_notes(). Each note starts a new line, and is wrapped to
+/// `width`. `top_left` is the start of the baseline of the first line.
+NoteBlock draw_notes(const std::vector<Note>& notes, Point top_left, double width);
+
 /// Returns a document that contains the elements on a white background.
 std::string document(double width, double height, const std::string& title, const std::string& elements);
 
 }  // namespace beadswim::svg
+
+namespace beadswim {
+
+/// Returns a text as a field of comma-separated values.
+std::string quoted(const std::string& text);
+
+}  // namespace beadswim

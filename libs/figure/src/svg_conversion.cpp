@@ -1,5 +1,3 @@
-#include "beadswim/figure/svg_conversion.hpp"
-
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <spawn.h>
@@ -12,6 +10,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/temporary_file.hpp"
+#include "beadswim/figure/drawing.hpp"
 
 extern char** environ;
 

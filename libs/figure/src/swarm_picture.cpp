@@ -6,9 +6,6 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
-#include "csv.hpp"
-#include "note_block.hpp"
-#include "palette.hpp"
 #include "perspective.hpp"
 
 namespace beadswim {
@@ -36,7 +33,7 @@ struct Piece {
 /// document should be small.
 std::string bead_element(svg::Point centre, double radius, int colour) {
   return fmt::format("<circle class=\"b{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n",
-                     palette_place(colour), centre.x, centre.y, radius);
+                     svg::palette_place(colour), centre.x, centre.y, radius);
 }
 
 Piece bead_piece(const Perspective& view, const PicturedBead& bead, int colour) {
@@ -69,26 +66,16 @@ std::string draw_swimmers(const SwarmPicture& picture, const Perspective& view) 
   return elements + "</g>\n";
 }
 
-/// Mixes a colour "#rrggbb" with white (level 255) or black (level 0). `share` is the weight of white or
-/// black.
-std::string mixed(const std::string& colour, int level, double share) {
-  std::string result = "#";
-  for (int channel = 0; channel < 3; ++channel) {
-    const int own = std::stoi(colour.substr(1 + 2 * static_cast<std::size_t>(channel), 2), nullptr, 16);
-    result += fmt::format("{:02x}", std::lround(own + share * (level - own)));
-  }
-  return result;
-}
-
 /// Returns the gradients that shade each colour of the palette, with light from the upper left, and the
 /// styles of beads and bonds.
 std::string definitions(double bond_stroke, double outline) {
   std::string gradients, fills;
-  for (std::size_t i = 0; i < palette.size(); ++i) {
+  for (std::size_t i = 0; i < svg::palette.size(); ++i) {
     gradients += fmt::format(
         "<radialGradient id=\"g{}\" cx=\"0.36\" cy=\"0.32\" r=\"0.72\"><stop offset=\"0\" stop-color=\"{}\"/>"
         "<stop offset=\"0.45\" stop-color=\"{}\"/><stop offset=\"1\" stop-color=\"{}\"/></radialGradient>\n",
-        i, mixed(palette[i], 255, 0.62), palette[i], mixed(palette[i], 0, 0.42));
+        i, svg::mixed(svg::palette[i], "#ffffff", 0.62), svg::palette[i],
+        svg::mixed(svg::palette[i], "#000000", 0.42));
     fills += fmt::format(".b{0}{{fill:url(#g{0})}}", i);
   }
   return fmt::format(
@@ -97,32 +84,23 @@ std::string definitions(double bond_stroke, double outline) {
       gradients, fills, outline, bond_stroke);
 }
 
-struct Edge {
-  int from = 0, to = 0;  ///< indices in box_corners
-};
-
-std::vector<Edge> box_edges() {
-  std::vector<Edge> edges;
-  for (int from = 0; from < 8; ++from) {
-    for (int axis = 1; axis < 8; axis *= 2) {
-      if ((from & axis) == 0) edges.push_back({from, from | axis});
-    }
-  }
-  return edges;
-}
-
 /// Draws edges of the box. If `hidden` is true, draws the three edges that start at the corner farthest from
 /// the eye, which are behind the swarm. Otherwise draws the other nine edges.
 std::string draw_edges(const SwarmPicture& picture, const Perspective& view, bool hidden) {
-  const std::vector<Vec3> corners = box_corners(Vec3::Zero(), picture.box);
-  const auto farther = [&](const Vec3& a, const Vec3& b) { return view.depth(a) < view.depth(b); };
-  const auto far =
-      static_cast<int>(std::max_element(corners.begin(), corners.end(), farther) - corners.begin());
+  const auto corner = [&](int index) {
+    return Block(Vec3::Zero(), picture.box).corner(Block::CornerType(index));
+  };
+  int far = 0;
+  for (int index = 1; index < 8; ++index)
+    if (view.depth(corner(far)) < view.depth(corner(index))) far = index;
   std::string elements;
-  for (const Edge& edge : box_edges()) {
-    if ((edge.from == far || edge.to == far) != hidden) continue;
-    elements += svg::line(view.project(corners[edge.from]), view.project(corners[edge.to]),
-                          hidden ? hidden_edge_stroke : edge_stroke);
+  for (int from = 0; from < 8; ++from) {
+    for (const int axis : {1, 2, 4}) {  // bit of the index of a corner
+      const int to = from | axis;
+      if (to == from || (from == far || to == far) != hidden) continue;
+      elements += svg::line(view.project(corner(from)), view.project(corner(to)),
+                            hidden ? hidden_edge_stroke : edge_stroke);
+    }
   }
   return elements;
 }
@@ -141,8 +119,8 @@ std::string draw_axis_names(const SwarmPicture& picture, const Perspective& view
 std::string draw_marks(const SwarmPicture& picture, const Perspective& view) {
   std::string elements;
   for (const PictureMark& mark : picture.marks) {
-    const svg::Point at = view.project(mark.bead);
-    const double above = view.projected_size(mark.bead, mark.radius) + 4;
+    const svg::Point at = view.project(mark.bead.centre);
+    const double above = view.projected_size(mark.bead.centre, mark.bead.radius) + 4;
     elements += svg::text({at.x, at.y - above}, mark.name,
                           {.size = mark_size, .anchor = svg::Anchor::middle, .weight = "bold", .halo = halo});
   }
@@ -171,12 +149,6 @@ std::string draw_distance(const PictureDistance& distance, const Perspective& vi
              {.size = label_size, .anchor = level ? svg::Anchor::middle : svg::Anchor::start, .halo = halo});
 }
 
-std::string draw_distances(const SwarmPicture& picture, const Perspective& view) {
-  std::string elements;
-  for (const PictureDistance& distance : picture.distances) elements += draw_distance(distance, view);
-  return elements;
-}
-
 /// Returns the largest of the numbers 1, 2 and 5 times a power of ten that is at most `limit`.
 double round_length(double limit) {
   const double power = std::pow(10, std::floor(std::log10(limit)));
@@ -201,40 +173,25 @@ std::string draw_scale_bar(const SwarmPicture& picture, const Perspective& view)
 std::string draw_keys(const SwarmPicture& picture, double top) {
   std::string elements;
   double x = margin + 6;
-  for (const PictureKey& key : picture.keys) {
-    elements += bead_element({x, top - 4}, 6, key.colour);
-    elements += svg::text({x + 12, top}, key.label, {label_size});
-    x += 12 + svg::text_width(key.label, label_size) + 20;
+  for (std::size_t colour = 0; colour < picture.keys.size(); ++colour) {
+    elements += bead_element({x, top - 4}, 6, static_cast<int>(colour));
+    elements += svg::text({x + 12, top}, picture.keys[colour], {label_size});
+    x += 12 + svg::text_width(picture.keys[colour], label_size) + 20;
   }
   return elements;
 }
 
-void require_swimmers(const SwarmPicture& picture) {
-  if (picture.swimmers.empty())
-    throw InputError("figure",
-                     "there is no swimmer to draw; give a layout or a trajectory that contains swimmers");
-}
-
-struct Block {
-  Vec3 low, high;
-};
-
 /// Returns the block that contains the box, all beads, and space for the distance arrows with their labels.
 Block extent_of(const SwarmPicture& picture) {
-  Block block{Vec3::Zero(), picture.box};
+  Block block(Vec3::Zero(), picture.box);
   for (const PicturedSwimmer& swimmer : picture.swimmers) {
     for (const PicturedBead& bead : swimmer.beads) {
       const Vec3 radius = Vec3::Constant(bead.radius);
-      block.low = block.low.cwiseMin(bead.centre - radius);
-      block.high = block.high.cwiseMax(bead.centre + radius);
+      block.extend(bead.centre - radius).extend(bead.centre + radius);
     }
   }
-  for (const PictureDistance& distance : picture.distances) {
-    for (const Vec3& bead : {distance.from, distance.to}) {
-      block.low = block.low.cwiseMin(bead + 2 * distance.arrow_offset);
-      block.high = block.high.cwiseMax(bead + 2 * distance.arrow_offset);
-    }
-  }
+  for (const PictureDistance& distance : picture.distances)
+    for (const Vec3& bead : {distance.from, distance.to}) block.extend(bead + 2 * distance.arrow_offset);
   return block;
 }
 
@@ -254,12 +211,25 @@ double reference_radius(const SwarmPicture& picture) {
   return (found == picture.swimmers.end() ? picture.swimmers.front() : *found).beads.front().radius;
 }
 
+std::string beads_to_csv(const SwarmPicture& picture) {
+  std::string lines = "swimmer,bead,x,y,z,radius,unit\n";
+  for (const PicturedSwimmer& swimmer : picture.swimmers) {
+    for (std::size_t b = 0; b < swimmer.beads.size(); ++b) {
+      const Vec3 place = swimmer.beads[b].centre + picture.origin;
+      lines += fmt::format("{},{},{},{},{},{},{}\n", swimmer.id, b + 1, place.x(), place.y(), place.z(),
+                           swimmer.beads[b].radius, quoted(picture.length_unit));
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
-std::string swarm_picture_to_svg(const SwarmPicture& picture) {
-  require_swimmers(picture);
-  const Block extent = extent_of(picture);
-  const Perspective view(extent.low, extent.high, {margin, picture_top}, picture_width, picture_height);
+Drawing draw(const SwarmPicture& picture) {
+  if (picture.swimmers.empty())
+    throw InputError("figure",
+                     "there is no swimmer to draw; give a layout or a trajectory that contains swimmers");
+  const Perspective view(extent_of(picture), {margin, picture_top}, picture_width, picture_height);
   const double radius = view.projected_size(picture.box / 2, reference_radius(picture));
   const double width = std::max(view.width() + label_room(picture) + 2 * margin, 420.0);
   double top = picture_top + view.height() + 12 + scale_bar_room;
@@ -270,22 +240,12 @@ std::string swarm_picture_to_svg(const SwarmPicture& picture) {
   elements += draw_edges(picture, view, true);
   elements += draw_swimmers(picture, view);
   elements += draw_edges(picture, view, false) + draw_axis_names(picture, view);
-  elements += draw_distances(picture, view) + draw_marks(picture, view) + draw_scale_bar(picture, view);
+  for (const PictureDistance& distance : picture.distances) elements += draw_distance(distance, view);
+  elements += draw_marks(picture, view) + draw_scale_bar(picture, view);
   if (!picture.keys.empty()) elements += draw_keys(picture, top += line_pitch);
-  const NoteBlock notes = draw_notes(picture.notes, {margin, top + line_pitch}, width - 2 * margin);
-  return svg::document(width, notes.bottom + margin, picture.title, elements + notes.elements);
-}
-
-std::string swarm_picture_to_csv(const SwarmPicture& picture) {
-  std::string lines = "swimmer,bead,x,y,z,radius,unit\n";
-  for (const PicturedSwimmer& swimmer : picture.swimmers) {
-    for (std::size_t b = 0; b < swimmer.beads.size(); ++b) {
-      const Vec3 place = swimmer.beads[b].centre + picture.origin;
-      lines += fmt::format("{},{},{},{},{},{},{}\n", swimmer.id, b + 1, place.x(), place.y(), place.z(),
-                           swimmer.beads[b].radius, quoted(picture.length_unit));
-    }
-  }
-  return lines;
+  const svg::NoteBlock notes = svg::draw_notes(picture.notes, {margin, top + line_pitch}, width - 2 * margin);
+  return {.svg = svg::document(width, notes.bottom + margin, picture.title, elements + notes.elements),
+          .csv = beads_to_csv(picture)};
 }
 
 }  // namespace beadswim

@@ -49,17 +49,14 @@ void wrap_swimmers(std::vector<PicturedSwimmer>& swimmers, const Box& box) {
 }
 
 Vec3 enclose_swimmers(std::vector<PicturedSwimmer>& swimmers) {
-  Vec3 low = Vec3::Constant(INFINITY), high = -low;
-  for (const PicturedSwimmer& swimmer : swimmers) {
-    for (const PicturedBead& bead : swimmer.beads) {
-      low = low.cwiseMin((bead.centre.array() - 2 * bead.radius).matrix());
-      high = high.cwiseMax((bead.centre.array() + 2 * bead.radius).matrix());
-    }
-  }
-  for (PicturedSwimmer& swimmer : swimmers) {
-    for (PicturedBead& bead : swimmer.beads) bead.centre -= low;
-  }
-  return high - low;
+  Eigen::AlignedBox3d box;
+  for (const PicturedSwimmer& swimmer : swimmers)
+    for (const PicturedBead& bead : swimmer.beads)
+      for (const double margin : {-2 * bead.radius, 2 * bead.radius})
+        box.extend(bead.centre + Vec3::Constant(margin));
+  for (PicturedSwimmer& swimmer : swimmers)
+    for (PicturedBead& bead : swimmer.beads) bead.centre -= box.min();
+  return box.sizes();
 }
 
 std::vector<PictureDistance> swarm_distances(const std::vector<PicturedSwimmer>& swimmers,

@@ -5,9 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csv.hpp"
-#include "note_block.hpp"
-#include "palette.hpp"
 #include "svg.hpp"
 
 namespace beadswim {
@@ -26,9 +23,9 @@ constexpr double spring_height = 8, dashpot_height = 7, arm_offset = 13;
 constexpr int spring_turns = 7;
 
 const std::string bead_fill = "#cfe3f1";
-const svg::Stroke bead_stroke{.colour = palette[0], .width = 1.4, .dashes = ""},
+const svg::Stroke bead_stroke{.colour = svg::palette[0], .width = 1.4, .dashes = ""},
     spring_stroke{.colour = "#333333", .width = 1.4, .dashes = ""};
-const svg::Stroke force_stroke{.colour = palette[1], .width = 2, .dashes = ""},
+const svg::Stroke force_stroke{.colour = svg::palette[1], .width = 2, .dashes = ""},
     length_stroke{.colour = "#000000", .width = 0.9, .dashes = ""};
 const svg::Stroke witness_stroke{.colour = "#8a8a8a", .width = 0.7, .dashes = ""},
     axis_stroke{.colour = "#8a8a8a", .width = 0.9, .dashes = "8 3 2 3"};
@@ -165,7 +162,7 @@ double page_width(const SwimmerSketch& sketch, const PageLayout& page) {
 
 }  // namespace
 
-std::string swimmer_sketch_to_svg(const SwimmerSketch& sketch) {
+Drawing draw(const SwimmerSketch& sketch) {
   const PageLayout page = lay_out_page(sketch);
   std::string elements = svg::text({margin, 28}, sketch.title,
                                    {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
@@ -176,18 +173,15 @@ std::string swimmer_sketch_to_svg(const SwimmerSketch& sketch) {
     elements += draw_arm(sketch, page, arm) + draw_length(sketch, page, arm);
   const double top = page.bottom + lengths_height + (labels_fit(sketch, page) ? 0 : 2 * line_pitch);
   const double width = page_width(sketch, page);
-  const NoteBlock notes = draw_notes(sketch.notes, {margin, top + line_pitch}, width - 2 * margin);
-  return svg::document(width, notes.bottom + margin, sketch.title, elements + notes.elements);
-}
-
-std::string swimmer_sketch_to_csv(const SwimmerSketch& sketch) {
+  const svg::NoteBlock notes = svg::draw_notes(sketch.notes, {margin, top + line_pitch}, width - 2 * margin);
   std::string lines = "bead,x,radius,unit\n";
   double x = 0;
   for (std::size_t b = 0; b < sketch.radii.size(); ++b) {
     if (b > 0) x += sketch.rest_lengths[b - 1];
     lines += fmt::format("{},{},{},{}\n", b + 1, x, sketch.radii[b], quoted(sketch.length_unit));
   }
-  return lines;
+  return {.svg = svg::document(width, notes.bottom + margin, sketch.title, elements + notes.elements),
+          .csv = lines};
 }
 
 }  // namespace beadswim

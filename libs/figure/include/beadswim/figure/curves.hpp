@@ -24,13 +24,6 @@ struct Curve {
   std::vector<CurvePoint> points{};
 };
 
-/// A value that does not depend on x.
-struct Level {
-  std::string label;
-  double y = 0;
-  double error = 0;  ///< half width of the band around the level
-};
-
 /// Appends to the panel each element of `marks` as filled markers, then each curve as a line. A curve with
 /// few points also has open markers. Parts of curves that are not usable (CurvePoint::usable) are faint. All
 /// series have the colour `colour`, an index in the palette. Without `colour`, each series has its own
@@ -38,15 +31,9 @@ struct Level {
 void append_marks_and_curves(const std::vector<Curve>& marks, const std::vector<Curve>& curves,
                              std::optional<int> colour, Panel& panel);
 
-/// Appends to the panel one horizontal line per level, from x = `from` to x = `to`, each with its own dash
-/// pattern.
-void append_levels(const std::vector<Level>& levels, double from, double to, int colour, Panel& panel);
-
-/// Sets the line styles of bead curves, which are sorted by swimmer and then by bead. The colour identifies
-/// the swimmer, and the dash pattern identifies the bead. If there is only one swimmer, colours identify its
-/// beads. If there is one bead per swimmer, each swimmer also has its own dash pattern, so that coinciding
-/// curves remain visible.
-void style_bead_curves(int num_beads, std::vector<Series>& curves);
+/// Appends to the panel one horizontal line for the first point of each level, from x = `from` to x = `to`,
+/// each with its own dash pattern.
+void append_levels(const std::vector<Curve>& levels, double from, double to, int colour, Panel& panel);
 
 enum class Axes {
   automatic,  ///< logarithmic if the y values of plain series are positive and span > 2 decades, else linear

@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "beadswim/figure/axis_scale.hpp"
-#include "beadswim/figure/note.hpp"
+#include "beadswim/figure/drawing.hpp"
 
-// Figures as SVG documents. Equal figures have equal bytes: palette and number formats are fixed, and no date
-// is written.
+// Figures of panels with axes: lines and points with legends, or maps.
 
 namespace beadswim {
 
@@ -30,7 +29,7 @@ struct Series {
   int shape = 0;   ///< 0 to 3: filled circle, square, triangle, diamond; 4 to 7: open; modulo 8
   int dash = 0;    ///< 0 to 5: solid, dashed, dotted, dash-dotted, long, dash-dot-dotted; modulo 6
   Emphasis emphasis = Emphasis::plain;
-  std::string data_label{};  ///< label of the numbers (figure_to_csv), if it is not `label`
+  std::string data_label{};  ///< label of the numbers (Drawing::csv), if it is not `label`
 };
 
 /// Label of an axis: "quantity (unit)", or "quantity" if the unit is empty.
@@ -63,14 +62,10 @@ struct Figure {
   bool has_common_legend = false;  ///< true: one legend for all panels; equal labels have equal styles
 };
 
-/// Returns the figure as a complete SVG document. Throws InputError if a panel has no point that can be
-/// drawn.
-std::string figure_to_svg(const Figure& figure);
-
-/// Returns the numbers that the figure draws as comma-separated values, a line per point: names and units of
-/// both axes, label of the series, x, y, and the error if the series has any. Faint points follow the plain
-/// ones; those of a curve are the series "LABEL (not usable)". For maps: names and units of x, y and the
-/// value, and the three numbers.
-std::string figure_to_csv(const Figure& figure);
+/// Draws the figure. Its numbers are a line per point: names and units of both axes, label of the series, x,
+/// y, and the error if the series has any. Faint points follow the plain ones; those of a curve are the
+/// series "LABEL (not usable)". For maps: names and units of x, y and the value, and the three numbers.
+/// Throws InputError if a panel has no point that can be drawn.
+Drawing draw(const Figure& figure);
 
 }  // namespace beadswim

@@ -6,7 +6,7 @@
 
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/figure/note.hpp"
+#include "beadswim/figure/drawing.hpp"
 
 // Perspective picture of a swarm in its box as SVG: x points to the right, y away from the viewer and z up.
 // Equal pictures have equal bytes.
@@ -29,17 +29,10 @@ struct PicturedSwimmer {
   const PicturedBead& middle_bead() const { return beads[beads.size() / 2]; }
 };
 
-/// Legend entry of a colour.
-struct PictureKey {
-  std::string label;
-  int colour = 0;
-};
-
 /// A text above a bead.
 struct PictureMark {
   std::string name;
-  Vec3 bead = Vec3::Zero();  ///< centre [length]
-  double radius = 0;         ///< [length]
+  PicturedBead bead;
 };
 
 /// A labelled double arrow that shows the distance of two beads.
@@ -53,7 +46,7 @@ struct SwarmPicture {
   std::string title;
   Vec3 box = Vec3::Zero();  ///< lengths of the box, which starts at the origin; its edges are drawn [length]
   std::vector<PicturedSwimmer> swimmers{};
-  std::vector<PictureKey> keys{};
+  std::vector<std::string> keys{};  ///< legend: the meanings of the colours 0, 1, ...
   std::vector<PictureMark> marks{};
   std::vector<PictureDistance> distances{};
   std::vector<Note> notes{};
@@ -62,13 +55,10 @@ struct SwarmPicture {
   Vec3 origin = Vec3::Zero();  ///< place of the corner of the box in the coordinates of the layout [length]
 };
 
-/// Returns a complete SVG document, about 70 bytes per bead. Beads are shaded discs and bonds are lines. Near
-/// beads and bonds hide far ones. Throws InputError if there is no swimmer.
-std::string swarm_picture_to_svg(const SwarmPicture& picture);
-
-/// Returns the beads that are drawn as comma-separated values: id of the swimmer, number of the bead in it,
-/// place in the coordinates of the layout and radius, with the unit of length.
-std::string swarm_picture_to_csv(const SwarmPicture& picture);
+/// Draws the picture, with about 70 bytes per bead: beads are shaded discs and bonds are lines, and near ones
+/// hide far ones. Its numbers are the beads: id of the swimmer, number of the bead in it, place in the
+/// coordinates of the layout and radius, with the unit of length. Throws InputError if there is no swimmer.
+Drawing draw(const SwarmPicture& picture);
 
 /// Moves each swimmer by multiples of the box lengths along periodic axes, so that its middle bead is in the
 /// box.

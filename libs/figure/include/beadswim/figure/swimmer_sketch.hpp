@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/figure/note.hpp"
+#include "beadswim/figure/drawing.hpp"
 
 // Labelled sketch of one swimmer, to scale, as in figure 1 of the paper (Pickl et al. 2017). Equal sketches
 // have equal bytes.
@@ -24,12 +24,8 @@ struct SwimmerSketch {
   std::vector<Note> notes{};
 };
 
-/// Returns a complete SVG document with beads, springs and dashpots. Forces are drawn above the beads,
-/// lengths below the beads.
-std::string swimmer_sketch_to_svg(const SwimmerSketch& sketch);
-
-/// Returns the beads as comma-separated values: number, distance of the centre from that of bead 1, and
-/// radius, with the unit of length.
-std::string swimmer_sketch_to_csv(const SwimmerSketch& sketch);
+/// Draws beads, springs and dashpots, with forces above the beads and lengths below them. The numbers are the
+/// beads: number, distance of the centre from that of bead 1, and radius, with the unit of length.
+Drawing draw(const SwimmerSketch& sketch);
 
 }  // namespace beadswim

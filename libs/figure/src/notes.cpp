@@ -1,6 +1,6 @@
-#include "note_block.hpp"
-
 #include <sstream>
+
+#include "svg.hpp"
 
 namespace beadswim {
 namespace {
@@ -63,7 +63,7 @@ std::vector<std::string> shorten_notes(const std::vector<Note>& notes) {
   return texts;
 }
 
-NoteBlock draw_notes(const std::vector<Note>& notes, svg::Point top_left, double width) {
+svg::NoteBlock svg::draw_notes(const std::vector<Note>& notes, svg::Point top_left, double width) {
   NoteBlock block{.elements = "", .bottom = top_left.y - note_pitch};
   for (const std::string& text : shorten_notes(notes)) {
     for (const std::string& line : wrap(text, width)) {
