@@ -173,6 +173,11 @@ accepts beadswim-plot separation by_separation.jsonl --relative-to oseen-force-c
 refuses 'run.json: the file is a run record, and with --relative-to run records can be drawn only with --against period' \
   beadswim-plot separation by_separation.jsonl run.json --relative-to oseen-force-closed
 
+# --- a map of what no document states
+swept period 3000 . | jq -c '.study = {period: 3000, phase: 1}' >study.jsonl
+refuses 'figure: there is no point with a finite value of "smallest gap of an arm" to draw' \
+  beadswim-plot against study.jsonl --x period --y phase --colour gap
+
 # --- stroke against the driving
 for x in 2 0.5 1; do swept amplitude_ratio $x '.arm_amplitudes = [2 * $x, 5]'; done >by_ratio.jsonl
 accepts beadswim-plot stroke --against amplitude-ratio by_ratio.jsonl --method multipole-ode,oseen-force-closed
@@ -264,6 +269,13 @@ refuses 'run.json: the run has an error of 0 in the velocity.*leave this file ou
 { cat several.jsonl; scaled 1.02 2 5 '| .resolution.density_on_lattice = 2'; } >corrections.jsonl
 refuses 'corrections.jsonl line 5: this run differs from .* line 1 only in --radius-correction or --delay-correction' \
   beadswim-plot speed-against-error corrections.jsonl --reference run.json
+# Swimmers without arms have no error of arm amplitudes.
+jq '.swimmers[].cycles[] |= (.arm_amplitudes = [] | .arm_phases = [] | .arm_means = [])' run.json >sphere.json
+jq '.swimmers[].cycles[].velocity[0] *= 1.1' sphere.json >faster.json
+accepts beadswim-plot speed-against-error sphere.json --reference faster.json
+out_has '>error of the velocity \(%\)<'
+refuses '--quantity: the swimmers have no arms, and so no arm amplitudes; leave the flag out' \
+  beadswim-plot speed-against-error sphere.json --reference faster.json --quantity arm_amplitudes
 # A prediction is for one swimmer.
 jq '.swimmers += [.swimmers[0] | .id = 1 | .cycles[].velocity[0] *= 2]' run.json >two_swimmers.json
 same_bytes 'beadswim-plot speed-against-error run.json --reference prediction.json' \

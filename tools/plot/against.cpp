@@ -107,6 +107,7 @@ std::vector<double> edges_of(const std::set<double>& places, ScaleKind scale) {
 /// Returns the rectangles of a panel whose scales are set. Throws InputError if a logarithmic axis would have
 /// places that are not positive.
 std::vector<MapCell> cells_of(const std::map<Point, double>& values, const Panel& panel) {
+  if (values.empty()) return {};
   std::set<double> xs, ys;
   for (const auto& [point, value] : values) {
     xs.insert(point.first);
@@ -139,6 +140,7 @@ Figure map_figure(const PlotInputs& inputs, const AgainstFlags& flags) {
                run.study(), flags, run.source, map);
   for (const PlottedPrediction& plotted : inputs.predictions)
     add_to_map(plotted.results(), plotted.document.study, flags, plotted.source, map);
+  if (map.empty()) map.emplace_back();  // a panel, whose drawing says that there is no value
   const auto [quantity, unit] = result_label(*flags.colour, inputs.units);
   const std::string by = inputs.runs.empty() ? inputs.methods.front() : inputs.runs.front().record.model;
   Figure figure{.title = capitalised(fmt::format("{} against {} and {}", quantity, flags.x, flags.y)),

@@ -283,6 +283,8 @@ Figure run_figure(const PlotFiles& files, const SpeedFlags& flags) {
     append_panels(errors_by_setting(costed_runs(scene, flags.choice.cycle), scene.correct), scene,
                   flags.quantity, panels);
   }
+  if (panels.empty())
+    throw InputError("--quantity", "the swimmers have no arms, and so no arm amplitudes; leave the flag out");
   return error_figure(panels, "core-seconds per period",
                       {{.text = fmt::format("Root mean square of errors relative to the reference ({}).",
                                             fmt::join(references, "; "))},
