@@ -24,35 +24,29 @@ struct VelocityFlags {
   Axes axes = Axes::automatic;
 };
 
-/// Returns the prediction by the reference method at the value x on the horizontal axis. Throws InputError if
-/// there is no such prediction, or if there are several with different velocities. `source`: file whose
-/// velocity is compared with the prediction, for the message.
-const Prediction& reference_at(const PlotInputs& inputs, AbscissaKind abscissa, double x,
-                               const std::string& source) {
-  constexpr double tolerance = 1e-9;  // relative; both abscissas are copies of one number in the layout
-  const PlottedPrediction* found = nullptr;
-  for (const PlottedPrediction& reference : inputs.references) {
-    if (std::abs(abscissa_of(reference, {abscissa}) - x) > tolerance * std::abs(x)) continue;
-    if (found != nullptr && found->prediction().velocity != reference.prediction().velocity) {
-      throw InputError(reference.source,
-                       fmt::format("the predicted velocity differs from the velocity in {}, although both "
-                                   "predictions are by {} at {} = {:g}; give only one of the two files",
-                                   found->source, reference.prediction().method, to_text(abscissa), x));
-    }
-    found = &reference;
-  }
-  if (found != nullptr) return found->prediction();
-  throw InputError(
-      source,
-      fmt::format(
-          "there is no prediction by {} at {} = {:g} to compare the velocity with; add such a prediction",
-          inputs.references.front().prediction().method, to_text(abscissa), x));
-}
-
-/// Returns the relation to the reference: 100 (v / v_reference - 1) [%].
+/// Returns the relation to the prediction by the reference method at the same value on the horizontal axis:
+/// 100 (v / v_reference - 1) [%]. It throws InputError if there is no such prediction, or if there are several
+/// with different velocities.
 Relation relation_to_reference(const PlotInputs& inputs, AbscissaKind abscissa) {
   return [&inputs, abscissa](const ResultPoint& point, const CurvePoint& velocity) {
-    const Prediction& reference = reference_at(inputs, abscissa, point.x, point.source);
+    constexpr double tolerance = 1e-9;  // relative; both abscissas are copies of one number in the layout
+    const PlottedPrediction* found = nullptr;
+    for (const PlottedPrediction& reference : inputs.references) {
+      if (std::abs(abscissa_of(reference, {abscissa}) - point.x) > tolerance * std::abs(point.x)) continue;
+      if (found != nullptr && found->prediction().velocity != reference.prediction().velocity)
+        throw InputError(reference.source,
+                         fmt::format("the predicted velocity differs from the velocity in {}, although both "
+                                     "predictions are by {} at {} = {:g}; give only one of the two files",
+                                     found->source, reference.prediction().method, to_text(abscissa), point.x));
+      found = &reference;
+    }
+    if (found == nullptr)
+      throw InputError(
+          point.source,
+          fmt::format(
+              "there is no prediction by {} at {} = {:g} to compare the velocity with; add such a prediction",
+              inputs.references.front().prediction().method, to_text(abscissa), point.x));
+    const Prediction& reference = found->prediction();
     return CurvePoint{.x = point.x,
                       .y = 100 * (velocity.y / reference.velocity - 1),
                       .usable = velocity.usable && reference.usable,

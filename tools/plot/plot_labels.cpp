@@ -6,11 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
 #include <map>
 #include <set>
-
-#include "beadswim/documents/study_text.hpp"
 
 namespace beadswim {
 namespace {
@@ -118,24 +115,6 @@ std::string named_range(const std::string& name, const std::vector<double>& numb
 }
 
 }  // namespace
-
-std::string varied_text(const PlotInputs& inputs, const Json& study) {
-  if (!study.is_object()) return {};
-  std::map<std::string, std::set<Json>> values;
-  for (const Json& other : inputs.studies())
-    for (const auto& [name, value] : other.items()) values[name].insert(value);
-  Json varied = Json::object();
-  for (const auto& [name, value] : study.items())
-    if (values[name].size() > 1) varied[name] = value;
-  return varied.empty() ? "" : ", " + study_text(varied, 4);
-}
-
-std::string run_label(const PlotInputs& inputs, const PlottedRun& run) {
-  if (inputs.runs.size() == 1) return run.record.model;
-  const std::string varied = varied_text(inputs, run.study());
-  if (!varied.empty()) return run.record.model + varied;
-  return fmt::format("{} {}", run.record.model, std::filesystem::path(run.source).filename().string());
-}
 
 std::string capitalised(std::string text) {
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));

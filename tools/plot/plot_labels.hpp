@@ -11,13 +11,6 @@
 
 namespace beadswim {
 
-/// Returns what varies in the studies of all inputs, with the values in `study`: ", period = 2400, radius =
-/// 4"; empty if nothing does.
-std::string varied_text(const PlotInputs& inputs, const Json& study);
-
-/// Returns the label of a run: "lbm"; for several runs with what varies in their studies, or "lbm FILE".
-std::string run_label(const PlotInputs& inputs, const PlottedRun& run);
-
 /// Returns a label for each run: model, and all settings (bead boundary, resolution, relaxation time,
 /// precision and box) that differ between runs: "lbm mr, 4 cells per radius".
 std::vector<std::string> setting_labels(const std::vector<PlottedRun>& runs);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <map>
 #include <set>
 
 #include "beadswim/core/error.hpp"
@@ -78,6 +80,27 @@ int study_digits(const PlotInputs& inputs, const std::string& name) {
     if (texts.size() == values.size()) return digits;
   }
   return 17;
+}
+
+/// Returns what varies in the studies of all inputs, with the values in `study`: ", period = 2400, radius =
+/// 4"; empty if nothing does.
+std::string varied_text(const PlotInputs& inputs, const Json& study) {
+  if (!study.is_object()) return {};
+  std::map<std::string, std::set<Json>> values;
+  for (const Json& other : inputs.studies())
+    for (const auto& [name, value] : other.items()) values[name].insert(value);
+  Json varied = Json::object();
+  for (const auto& [name, value] : study.items())
+    if (values[name].size() > 1) varied[name] = value;
+  return varied.empty() ? "" : ", " + study_text(varied, 4);
+}
+
+/// Returns the label of a run: "lbm"; for several runs with what varies in their studies, or "lbm FILE".
+std::string run_label(const PlotInputs& inputs, const PlottedRun& run) {
+  if (inputs.runs.size() == 1) return run.record.model;
+  const std::string varied = varied_text(inputs, run.study());
+  if (!varied.empty()) return run.record.model + varied;
+  return fmt::format("{} {}", run.record.model, std::filesystem::path(run.source).filename().string());
 }
 
 /// Returns a point for each swimmer of a run in each cycle. Uncertainties belong to the last one.

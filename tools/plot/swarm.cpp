@@ -4,14 +4,18 @@
 #include <memory>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/documents/layout_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
+#include "beadswim/figure/swarm_picture.hpp"
+#include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/scene/swarm.hpp"
 #include "beadswim/scene/swimmer_parameters.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
-#include "swarm_scene.hpp"
+
+// Pictures of a swarm, which is read from a layout or from one frame of a trajectory.
 
 namespace beadswim {
 
@@ -37,19 +41,90 @@ struct SwarmFlags {
   bool distances = false;  ///< draws distances between neighbours; only for layouts
 };
 
+/// Swimmers at one time, read from a layout or from a frame of a trajectory.
+struct SwarmScene {
+  std::string source;
+  bool is_layout = false;
+  Layout layout{};
+  std::vector<std::size_t> in_layout{};  ///< index in layout.swimmers of each swimmer of the picture
+  Layer layers{};                        ///< number of layers of swimmers along x, y, z
+  SwarmPicture picture{};  ///< without copies; the box of swimmers in open space is drawn around them
+};
+
+/// Adds the swimmers of `in_layout`. `centres`, `radii`: of all their beads [length].
+void add_swimmers(const std::vector<Vec3>& centres, const std::vector<double>& radii, SwarmScene& scene) {
+  const std::vector<Layer> layers = swimmer_layers(scene.layout);
+  scene.layers = layer_count(layers);
+  std::size_t next = 0;
+  for (const std::size_t index : scene.in_layout) {
+    const Swimmer& placed = scene.layout.swimmers[index];
+    const SwimmerType& type = scene.layout.types.at(placed.type);
+    PicturedSwimmer swimmer{.id = placed.id, .beads = {}, .layer = layers[index]};
+    for (const Bond& bond : type.bonds) swimmer.bonds.push_back(bond.beads);
+    for (const std::size_t end = next + type.beads.size(); next < end; ++next)
+      swimmer.beads.push_back({.centre = centres[next], .radius = radii[next]});
+    scene.picture.swimmers.push_back(std::move(swimmer));
+  }
+}
+
+/// Reads one frame of a trajectory. `wanted`: number of the frame; nullopt: the last frame.
+void read_frame(const std::string& path, std::optional<std::size_t> wanted, SwarmScene& scene) {
+  const TrajectoryFile file = open_trajectory(path);
+  const std::size_t last = file.reader.frames() - 1, number = wanted.value_or(last);
+  if (number > last)
+    throw InputError("--frame", fmt::format("there is no frame {} in {}; give a frame from 0 to {}", number,
+                                            file.source, last));
+  const TrajectoryFrame frame = file.reader.frame(number);
+  scene.picture.title = fmt::format("Swarm after {}", cycles_text({frame.time / file.period()}));
+  scene.layout = file.layout;
+  scene.in_layout = file.in_layout;
+  add_swimmers(frame.positions, file.reader.header().radius, scene);
+}
+
+/// Reads a layout (JSON, "-" for standard input), or one frame of a trajectory. `frame`: number of the frame;
+/// nullopt: the last frame. The middle bead of each swimmer is then in the box. Throws InputError if the file
+/// cannot be read, or if it has no such frame.
+SwarmScene read_swarm_scene(const std::string& path, std::optional<std::size_t> frame) {
+  SwarmScene scene{.source = source_name(path), .is_layout = !is_trajectory(path)};
+  if (frame && scene.is_layout)
+    throw InputError("--frame", fmt::format("{} is a layout, and layouts have no frames; leave the flag out",
+                                            scene.source));
+  SwarmPicture& picture = scene.picture;
+  if (scene.is_layout) {
+    picture.title = "Swarm as laid out";
+    scene.layout = read_layout(path).layout;
+    const Swarm swarm = listed_swimmers(scene.layout);
+    for (std::size_t s = 0; s < swarm.swimmers.size(); ++s) scene.in_layout.push_back(s);
+    add_swimmers(start_positions(swarm), bead_radii(swarm), scene);
+  } else {
+    read_frame(path, frame, scene);
+  }
+  picture.length_unit = length_unit(scene.layout.units);
+  if (const auto& box = scene.layout.domain.box) {
+    picture.box = box->lengths;
+    wrap_swimmers(picture.swimmers, *box);
+  } else {
+    const Vec3 before = picture.swimmers.front().middle_bead().centre;
+    picture.box = enclose_swimmers(picture.swimmers);
+    picture.origin = before - picture.swimmers.front().middle_bead().centre;
+  }
+  return scene;
+}
+
 using Triple = std::array<int, 3>;  // numbers along x, y, z
 
 constexpr std::size_t max_elements = 1000000;  // beads and bonds; keeps the SVG file below about 50 MB
 
 void require_repeatable(const SwarmScene& scene, const Triple& repeat) {
+  const auto& box = scene.layout.domain.box;
   for (int a = 0; a < 3; ++a) {
-    if (repeat[a] == 1 || scene.is_periodic(a)) continue;
+    if (repeat[a] == 1 || (box && box->is_periodic(a))) continue;
     throw InputError("--repeat", fmt::format("{} copies along {} are not possible, because the box of {} is "
                                              "not periodic along this axis; give 1 for this axis",
                                              repeat[a], "xyz"[a], scene.source));
   }
   std::size_t in_box = 0;
-  for (const PicturedSwimmer& swimmer : scene.swimmers) in_box += swimmer.beads.size() + swimmer.bonds.size();
+  for (const PicturedSwimmer& swimmer : scene.picture.swimmers) in_box += swimmer.beads.size() + swimmer.bonds.size();
   const double elements = static_cast<double>(in_box) * repeat[0] * repeat[1] * repeat[2];
   if (elements > static_cast<double>(max_elements)) {
     throw InputError("--repeat", fmt::format("the copies have {:g} beads and bonds, but at most {} can be "
@@ -82,9 +157,9 @@ std::vector<PicturedSwimmer> copies_of(const SwarmScene& scene, const SwarmFlags
   const int nx = options.repeat[0], ny = options.repeat[1], nz = options.repeat[2];
   for (int i = 0; i < nx * ny * nz; ++i) {
     const Triple copy{i / (ny * nz), i / nz % ny, i % nz};
-    const Vec3 shift = Vec3(copy[0], copy[1], copy[2]).cwiseProduct(scene.box);
-    for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
-      PicturedSwimmer swimmer = scene.swimmers[s];
+    const Vec3 shift = Vec3(copy[0], copy[1], copy[2]).cwiseProduct(scene.picture.box);
+    for (std::size_t s = 0; s < scene.picture.swimmers.size(); ++s) {
+      PicturedSwimmer swimmer = scene.picture.swimmers[s];
       for (PicturedBead& bead : swimmer.beads) bead.centre += shift;
       for (int a = 0; a < 3; ++a) swimmer.layer[a] += copy[a] * scene.layers[a];
       swimmer.colour = colour_of(scene, swimmer, s, copy, options);
@@ -97,19 +172,19 @@ std::vector<PicturedSwimmer> copies_of(const SwarmScene& scene, const SwarmFlags
 /// Returns the names to draw, at the middle beads of the swimmers in the first copy of the swarm.
 std::vector<PictureMark> marks(const SwarmScene& scene, const SwarmFlags& options) {
   std::vector<int> ids;
-  for (const PicturedSwimmer& swimmer : scene.swimmers) ids.push_back(swimmer.id);
+  for (const PicturedSwimmer& swimmer : scene.picture.swimmers) ids.push_back(swimmer.id);
   std::vector<PictureMark> marks;
   for (const auto& [name, id] : options.marks) {
     const auto found = std::ranges::find(ids, id);
     if (found == ids.end()) throw_unknown_swimmer("--mark", id, ids, scene.source);
-    marks.push_back({name, scene.swimmers[static_cast<std::size_t>(found - ids.begin())].middle_bead()});
+    marks.push_back({name, scene.picture.swimmers[static_cast<std::size_t>(found - ids.begin())].middle_bead()});
   }
   return marks;
 }
 
 std::string scene_text(const SwarmScene& scene, const Triple& repeat) {
-  const Vec3& box = scene.box;
-  const std::size_t swimmers = scene.swimmers.size();
+  const Vec3& box = scene.picture.box;
+  const std::size_t swimmers = scene.picture.swimmers.size();
   std::string note = fmt::format("{} swimmer{} in ", swimmers, swimmers == 1 ? "" : "s");
   if (!scene.layout.domain.box) {
     note += in_words(scene.layout.domain) + ", a box drawn around";
@@ -185,12 +260,10 @@ SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlag
       only_file(files, "a swarm is drawn from one layout or one trajectory (.h5md)"), options.frame);
   const Triple repeat{options.repeat[0], options.repeat[1], options.repeat[2]};
   require_repeatable(scene, repeat);
-  SwarmPicture picture{.title = "Swarm " + scene.time_text,
-                       .box = scene.box.cwiseProduct(Vec3(repeat[0], repeat[1], repeat[2])),
-                       .swimmers = copies_of(scene, options),
-                       .marks = marks(scene, options),
-                       .length_unit = length_unit(scene.layout.units),
-                       .origin = scene.origin};
+  SwarmPicture picture = scene.picture;
+  picture.box = picture.box.cwiseProduct(Vec3(repeat[0], repeat[1], repeat[2]));
+  picture.swimmers = copies_of(scene, options);
+  picture.marks = marks(scene, options);
   if (options.colours == SwarmColours::types)
     for (const auto& [name, type] : scene.layout.types) picture.keys.push_back(name);
   picture.notes = {{.text = scene_text(scene, repeat)},

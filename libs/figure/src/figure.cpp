@@ -11,7 +11,6 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "svg.hpp"
-#include "visible_stretches.hpp"
 
 namespace beadswim {
 namespace {
@@ -163,17 +162,16 @@ svg::Stroke line_stroke(const Series& series) {
           .opacity = plain ? 1.0 : faint_opacity};
 }
 
-std::string draw_line(const Series& series, const Stretch& stretch) {
-  return series.mark == Mark::points ? "" : svg::polyline(stretch, line_stroke(series));
+std::string draw_line(const Series& series, const std::vector<svg::Point>& points) {
+  return series.mark == Mark::points ? "" : svg::polyline(points, line_stroke(series));
 }
 
-std::string draw_points(const Series& series, const Stretch& stretch) {
+std::string draw_points(const Series& series, const std::vector<svg::Point>& points) {
   std::string elements;
   if (series.mark == Mark::line) return elements;
   const svg::Stroke stroke = line_stroke(series);
-  for (const svg::Point& point : stretch) {
+  for (const svg::Point& point : points)
     elements += svg::marker(point, series.shape, stroke.colour, stroke.opacity);
-  }
   return elements;
 }
 
@@ -220,16 +218,14 @@ std::string draw_errors(const PlotArea& area, const Series& series) {
 }
 
 std::string draw_series(const PlotArea& area, const Series& series) {
-  std::vector<svg::Point> points;
-  Stretch inside;
+  std::vector<svg::Point> points, inside;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     points.push_back(area.at(series.x[i], series.y[i]));
     if (area.contains(points.back())) inside.push_back(points.back());
   }
   std::string elements = draw_errors(area, series);
-  for (const Stretch& stretch : visible_stretches(points, area.top, area.bottom())) {
-    elements += draw_line(series, stretch);
-  }
+  for (const auto& part : svg::visible_parts(points, area.top, area.bottom()))
+    elements += draw_line(series, part);
   return elements + draw_points(series, inside);
 }
 
@@ -329,13 +325,9 @@ std::string draw_panel(const Panel& panel, double top) {
   std::string elements = draw_x_axis(area, panel.x_label) + draw_y_axis(area, panel.y_label);
   if (!panel.cells.empty()) elements += draw_map(area, panel) + draw_colour_bar(area, panel);
   elements += svg::rectangle({plot_left, top}, plot_width, plot_height, frame_stroke);
-  // Lines are drawn first, so that they do not hide points.
-  for (const Series& series : panel.series) {
-    if (series.mark != Mark::points) elements += draw_series(area, series);
-  }
-  for (const Series& series : panel.series) {
-    if (series.mark == Mark::points) elements += draw_series(area, series);
-  }
+  for (const bool points : {false, true})  // lines are drawn first, so that they do not hide points
+    for (const Series& series : panel.series)
+      if ((series.mark == Mark::points) == points) elements += draw_series(area, series);
   if (!panel.title.empty())
     elements += svg::text({plot_left, top - 7}, panel.title,
                           {.size = label_size, .anchor = svg::Anchor::start, .weight = "bold"});
@@ -378,18 +370,20 @@ double page_width(const Figure& figure) {
   return std::ceil(right + margin);
 }
 
+std::string fields_of(const AxisLabel& label) {
+  return quoted(label.quantity) + "," + quoted(label.unit) + ",";
+}
+
 /// Colour, shape, dash, x and y of a point: equal for a point of a curve and the end of its faint part there.
 using CsvPoint = std::tuple<int, int, int, double, double>;
 
 /// Returns a line of comma-separated values for each finite point of the series, without those points of a
 /// faint series that are in `written`. Adds the points to `written`.
 std::string csv_lines(const Panel& panel, const Series& series, std::set<CsvPoint>& written) {
-  const std::string names =
-      fmt::format("{},{},{},{},{}",
-                  quoted(panel.title.empty() ? panel.y_label.quantity
-                                             : fmt::format("{} ({})", panel.y_label.quantity, panel.title)),
-                  quoted(panel.y_label.unit), quoted(panel.x_label.quantity), quoted(panel.x_label.unit),
-                  quoted(series.data_label.empty() ? series.label : series.data_label));
+  AxisLabel y_label = panel.y_label;
+  if (!panel.title.empty()) y_label.quantity += fmt::format(" ({})", panel.title);
+  const std::string names = fields_of(y_label) + fields_of(panel.x_label) +
+                            quoted(series.data_label.empty() ? series.label : series.data_label);
   std::string lines;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     if (!std::isfinite(series.y[i])) continue;
@@ -406,9 +400,8 @@ std::string csv_lines(const Panel& panel, const Series& series, std::set<CsvPoin
 std::string maps_to_csv(const Figure& figure) {
   std::string lines = "x_name,x_unit,y_name,y_unit,value_name,value_unit,x,y,value\n";
   for (const Panel& panel : figure.panels) {
-    std::string names;
-    for (const AxisLabel& label : {panel.x_label, panel.y_label, panel.value_label})
-      names += quoted(label.quantity) + "," + quoted(label.unit) + ",";
+    const std::string names =
+        fields_of(panel.x_label) + fields_of(panel.y_label) + fields_of(panel.value_label);
     for (const MapCell& cell : panel.cells)
       lines += fmt::format("{}{},{},{}\n", names, cell.x, cell.y, cell.value);
   }

@@ -111,6 +111,28 @@ std::string polyline(const std::vector<Point>& points, const Stroke& stroke) {
                      coordinates(points), attributes(stroke));
 }
 
+std::vector<std::vector<Point>> visible_parts(const std::vector<Point>& points, double top, double bottom) {
+  const auto is_finite = [](const Point& point) { return std::isfinite(point.x) && std::isfinite(point.y); };
+  const auto contains = [&](const Point& point) { return point.y >= top && point.y <= bottom; };
+  const auto exit_point = [&](const Point& inside, const Point& outside) {
+    const double y = outside.y < top ? top : bottom;
+    const double part = (y - inside.y) / (outside.y - inside.y);
+    return Point{inside.x + part * (outside.x - inside.x), y};
+  };
+  std::vector<std::vector<Point>> parts;
+  const Point* last = nullptr;  // nullptr: the line is interrupted before the point
+  for (const Point& point : points) {
+    const bool inside = is_finite(point) && contains(point);
+    const bool was_inside = last != nullptr && contains(*last);
+    if (inside && !was_inside) parts.emplace_back();
+    if (inside && last != nullptr && !was_inside) parts.back().push_back(exit_point(point, *last));
+    if (inside) parts.back().push_back(point);
+    if (was_inside && !inside && is_finite(point)) parts.back().push_back(exit_point(*last, point));
+    last = is_finite(point) ? &point : nullptr;
+  }
+  return parts;
+}
+
 std::string area(const std::vector<Point>& points, const std::string& fill, double opacity) {
   return fmt::format("<polygon points=\"{}\" fill=\"{}\" fill-opacity=\"{}\"/>\n", coordinates(points), fill,
                      number(opacity));
