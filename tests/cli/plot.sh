@@ -258,6 +258,18 @@ notes_have 'relative to the reference \(rpy-perturbation\)'
 jq '.predictions |= map(select(.method == "rpy-perturbation") | .uncertainty = 0.1)' prediction.json >uncertain.json
 accepts beadswim-plot speed-against-error several.jsonl --reference uncertain.json
 out_has '>uncertainty of the reference<'
+run beadswim-plot speed-against-error several.jsonl --reference uncertain.json --quantity velocity -o x.svg --data -
+check 'the uncertainty is no level in percent' test "$(grep '"uncertainty of the reference"' out | awk -F, '{ print $(NF - 1) }' | xargs)" = '10 10'
+# Errors below the uncertainty of the reference are not ranked: the cheapest of them counts.
+jq '.predictions[].velocity = 6.9e-05' uncertain.json >as_uncertain.json
+{ scaled 1.01 2 20; scaled 1.005 4 100; scaled 1.3 1 10; } >ranked.jsonl
+accepts beadswim-plot speed-against-error ranked.jsonl --reference as_uncertain.json --quantity velocity
+notes_have 'Cheapest within the uncertainty of the reference, velocity: cli, τ = 1.5, double, 2 cells'
+check 'the front goes on to 4 cells' test "$(series '#000000' | wc -l)" -eq 2
+# An error of 0 has no place on a logarithmic axis, and is counted.
+{ cat several.jsonl; scaled 1 3 50; } >exact.jsonl
+accepts beadswim-plot speed-against-error exact.jsonl --reference run.json --quantity velocity
+notes_have 'Most accurate velocity: cli, τ = 1.5, double, 4 cells; not drawn for lack of an error: 1'
 refuses 'prediction.json: the file contains several runs or predictions' \
   beadswim-plot speed-against-error run.json --reference prediction.json --method all
 refuses 'prediction_shorter_period.json: the scene differs from the scene of run.json: period 2000 instead of 4800' \
@@ -286,6 +298,8 @@ jq '.domain.lengths[0] += 8' run.json >longer.json
 accepts beadswim-plot speed-against-error several.jsonl longer_runs.jsonl --reference run.json,longer.json --quantity velocity
 well_formed out
 out_has '>1 swimmer, box [0-9]+ x [0-9]+ x [0-9]+<'
+check 'there is not one legend' test "$(grep -c '>cli, τ = 1.5, double<' out)" -eq 1
+check 'a setting differs between scenes' test "$(grep '<polyline.*stroke-width="1.80"' out | grep -oE 'stroke="#[0-9A-F]+"' | sort -u | wc -l)" -eq 1
 run beadswim-plot speed-against-error several.jsonl longer_runs.jsonl --reference run.json,longer.json --quantity velocity -o x.svg --data -
 errors_of() { grep "box $1 x.*cli" out | awk -F, '{ print $(NF - 1) }'; }   # the cost per period depends on the box
 check "a scene has the errors relative to its own reference" test "$(errors_of 120)" = "$(errors_of 128)"

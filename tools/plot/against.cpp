@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -44,6 +45,11 @@ Panel empty_panel(const AgainstFlags& flags, const Units& units, const AxisLabel
           .y_label = y_label,
           .x_scale = scale(LogAxes::x),
           .y_scale = scale(LogAxes::y)};
+}
+
+std::string capitalised(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 bool has_errors(const Series& series) {

@@ -25,8 +25,8 @@ struct VelocityFlags {
 };
 
 /// Returns the relation to the prediction by the reference method at the same value on the horizontal axis:
-/// 100 (v / v_reference - 1) [%]. It throws InputError if there is no such prediction, or if there are several
-/// with different velocities.
+/// 100 (v / v_reference - 1) [%]. It throws InputError if there is no such prediction, or if there are
+/// several with different velocities.
 Relation relation_to_reference(const PlotInputs& inputs, AbscissaKind abscissa) {
   return [&inputs, abscissa](const ResultPoint& point, const CurvePoint& velocity) {
     constexpr double tolerance = 1e-9;  // relative; both abscissas are copies of one number in the layout
@@ -34,10 +34,11 @@ Relation relation_to_reference(const PlotInputs& inputs, AbscissaKind abscissa) 
     for (const PlottedPrediction& reference : inputs.references) {
       if (std::abs(abscissa_of(reference, {abscissa}) - point.x) > tolerance * std::abs(point.x)) continue;
       if (found != nullptr && found->prediction().velocity != reference.prediction().velocity)
-        throw InputError(reference.source,
-                         fmt::format("the predicted velocity differs from the velocity in {}, although both "
-                                     "predictions are by {} at {} = {:g}; give only one of the two files",
-                                     found->source, reference.prediction().method, to_text(abscissa), point.x));
+        throw InputError(
+            reference.source,
+            fmt::format("the predicted velocity differs from the velocity in {}, although both "
+                        "predictions are by {} at {} = {:g}; give only one of the two files",
+                        found->source, reference.prediction().method, to_text(abscissa), point.x));
       found = &reference;
     }
     if (found == nullptr)

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <set>
 
@@ -115,11 +114,6 @@ std::string named_range(const std::string& name, const std::vector<double>& numb
 }
 
 }  // namespace
-
-std::string capitalised(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
 
 std::string range_text(const std::vector<double>& numbers, int digits) {
   if (numbers.empty()) return {};

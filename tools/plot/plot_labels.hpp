@@ -35,9 +35,6 @@ std::string summarise_names(const std::set<std::string>& names, const std::strin
 /// Returns a number of cycles, a range of it, and the noun: "1 cycle", "0.5 to 4 cycles".
 std::string cycles_text(const std::vector<double>& cycles);
 
-/// Returns the text with a capital first letter.
-std::string capitalised(std::string text);
-
 /// Returns the range of the numbers, for example "4800" or "1000 to 10000". `digits`: number of significant
 /// digits.
 std::string range_text(const std::vector<double>& numbers, int digits);

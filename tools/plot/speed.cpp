@@ -7,14 +7,12 @@
 #include <optional>
 #include <set>
 
-#include "beadswim/compare/errors_by_setting.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/document_scenes.hpp"
-#include "beadswim/figure/error_figure.hpp"
 #include "beadswim/scene/units.hpp"
+#include "errors.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
-#include "verdicts.hpp"
 
 // Figures of the errors of velocity and arm amplitudes against the cost of runs in core-seconds per period.
 // A line joins lattice runs with equal bead boundary, relaxation time and precision, in order of their
@@ -60,24 +58,6 @@ void require_one_scene(const PlottedRun& run, const SourceDocument& other) {
                                              run.source, fmt::join(words, "; ")));
 }
 
-/// Takes the reference values of a run.
-void set_reference(const PlottedRun& run, const CycleChoice& cycle, ComparedScene& scene) {
-  const RunRecord& record = run.record;
-  scene.reference = record.model;
-  if (const auto& resolution = record.resolution)
-    scene.reference +=
-        fmt::format(", {}, {:g} cells per radius", resolution->bead_boundary, resolution->cells_per_radius);
-  for (const SwimmerRecord& swimmer : record.swimmers)
-    scene.correct.push_back(results_of(record, swimmer, cycle, run.source, RunUncertainty::of_cycle));
-}
-
-/// Takes the reference values of a prediction.
-void set_reference(const PlottedPrediction& plotted, ComparedScene& scene) {
-  scene.reference = plotted.prediction().method;
-  scene.swimmer = plotted.document.swimmer;
-  scene.correct = {plotted.results()};
-}
-
 /// Returns the relative uncertainty of a quantity of the reference: of a prediction the largest of its
 /// numbers, of a run the root mean square over numbers and swimmers. Returns nullopt if none is stated.
 std::optional<double> uncertainty_of(const ComparedScene& scene, ResultQuantity quantity) {
@@ -109,6 +89,23 @@ std::string scene_title(const RunRecord& record) {
   return title;
 }
 
+/// Takes the reference values of a prediction or of a run, and returns it as a document.
+SourceDocument take_reference(const PlottedPrediction& plotted, ComparedScene& scene) {
+  scene.reference = plotted.prediction().method;
+  scene.swimmer = plotted.document.swimmer;
+  scene.correct = {plotted.results()};
+  return {plotted.source, plotted.document};
+}
+SourceDocument take_reference(const PlottedRun& run, const CycleChoice& cycle, ComparedScene& scene) {
+  scene.reference = run.record.model;
+  if (const auto& resolution = run.record.resolution)
+    scene.reference +=
+        fmt::format(", {}, {:g} cells per radius", resolution->bead_boundary, resolution->cells_per_radius);
+  for (const SwimmerRecord& swimmer : run.record.swimmers)
+    scene.correct.push_back(results_of(run.record, swimmer, cycle, run.source, RunUncertainty::of_cycle));
+  return {run.source, run.record};
+}
+
 /// Reads the file of a reference and collects the runs of its scene: all runs if there is one reference.
 ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, const SpeedFlags& flags) {
   const bool has_several_scenes = flags.references.size() > 1;
@@ -126,10 +123,10 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
         file,
         fmt::format("the units of the reference differ from the units of {}; make both files from one layout",
                     inputs.runs.front().source));
-  const SourceDocument reference =
-      read.runs.empty() ? SourceDocument{read.predictions[0].source, read.predictions[0].document}
-                        : SourceDocument{read.runs[0].source, read.runs[0].record};
   ComparedScene scene;
+  const SourceDocument reference = read.runs.empty()
+                                       ? take_reference(read.predictions[0], scene)
+                                       : take_reference(read.runs[0], flags.choice.cycle, scene);
   for (const PlottedRun& run : inputs.runs)
     if (!has_several_scenes || find_differences(run.record, reference.document).empty())
       scene.runs.push_back(&run);
@@ -137,10 +134,6 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
     throw InputError(file,
                      "no run has the scene of this reference; add its runs, or leave the reference out");
   require_one_scene(*scene.runs.front(), reference);
-  if (read.runs.empty())
-    set_reference(read.predictions[0], scene);
-  else
-    set_reference(read.runs[0], flags.choice.cycle, scene);
   if (has_several_scenes) scene.title = scene_title(scene.runs.front()->record);
   return scene;
 }
@@ -236,29 +229,6 @@ std::vector<CostedRun> costed_runs(const ComparedScene& scene, const CycleChoice
   return runs;
 }
 
-/// Appends a panel for each quantity of which errors are known.
-void append_panels(const std::vector<ErrorsOfSetting>& all, const ComparedScene& scene,
-                   const std::optional<ResultQuantity>& only, std::vector<QuantityErrors>& panels) {
-  for (const auto& [quantity, name] : {std::pair(ResultQuantity::velocity, "velocity"),
-                                       std::pair(ResultQuantity::arm_amplitudes, "arm amplitudes")}) {
-    if (only.value_or(quantity) != quantity) continue;
-    QuantityErrors errors{
-        .quantity = name, .series = {}, .uncertainty = uncertainty_of(scene, quantity), .scene = scene.title};
-    for (const auto& [setting, resolutions] : all) {
-      ErrorSeries series{setting, {}};
-      for (const auto& [cells, source, cost, known] : resolutions)
-        if (known.contains(quantity))
-          series.points.push_back(
-              {.name = cells > 0 ? fmt::format("{}, {:g} cells", setting, cells) : setting,
-               .source = source,
-               .cost = cost,
-               .error = known.at(quantity)});
-      if (!series.points.empty()) errors.series.push_back(std::move(series));
-    }
-    if (!errors.series.empty()) panels.push_back(std::move(errors));
-  }
-}
-
 std::string resolutions_note(const PlotInputs& inputs) {
   std::set<double> known;
   for (const PlottedRun& run : inputs.runs)
@@ -276,27 +246,30 @@ Figure run_figure(const PlotFiles& files, const SpeedFlags& flags) {
         "speed-against-error",
         "this figure draws only run records; name run records as files, and a prediction with --reference");
   }
-  std::vector<QuantityErrors> panels;
+  std::vector<SceneErrors> scenes;
   std::set<std::string> references;
   for (const ComparedScene& scene : read_scenes(inputs, flags)) {
     references.insert(scene.reference);
-    append_panels(errors_by_setting(costed_runs(scene, flags.choice.cycle), scene.correct), scene,
-                  flags.quantity, panels);
+    scenes.push_back({errors_by_setting(costed_runs(scene, flags.choice.cycle), scene.correct), scene.title});
+    for (const ResultQuantity quantity : {ResultQuantity::velocity, ResultQuantity::arm_amplitudes})
+      if (const auto uncertainty = uncertainty_of(scene, quantity))
+        scenes.back().uncertainties[quantity] = *uncertainty;
   }
-  if (panels.empty())
+  const Figure figure =
+      error_figure(scenes, flags.quantity, "core-seconds per period",
+                   {{.text = fmt::format("Root mean square of errors relative to the reference ({}).",
+                                         fmt::join(references, "; "))},
+                    {.text = resolutions_note(inputs)}});
+  if (figure.panels.empty())
     throw InputError("--quantity", "the swimmers have no arms, and so no arm amplitudes; leave the flag out");
-  return error_figure(panels, "core-seconds per period",
-                      {{.text = fmt::format("Root mean square of errors relative to the reference ({}).",
-                                            fmt::join(references, "; "))},
-                       {.text = resolutions_note(inputs)}});
+  return figure;
 }
 
 Figure verdict_figure(const PlotFiles& files, const SpeedFlags& flags) {
   std::set<std::string> methods;
-  std::vector<QuantityErrors> panels;
-  append_panels(read_verdicts(files.inputs, flags.choice.methods, methods), {}, std::nullopt, panels);
+  const auto errors = read_verdicts(files.inputs, flags.choice.methods, methods);
   return error_figure(
-      panels, "core-seconds",
+      {{errors}}, std::nullopt, "core-seconds",
       {{.text =
             fmt::format("Marks are verdicts: root mean square of errors relative to {}, and core-seconds of "
                         "complete runs.",

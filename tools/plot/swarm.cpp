@@ -124,7 +124,8 @@ void require_repeatable(const SwarmScene& scene, const Triple& repeat) {
                                              repeat[a], "xyz"[a], scene.source));
   }
   std::size_t in_box = 0;
-  for (const PicturedSwimmer& swimmer : scene.picture.swimmers) in_box += swimmer.beads.size() + swimmer.bonds.size();
+  for (const PicturedSwimmer& swimmer : scene.picture.swimmers)
+    in_box += swimmer.beads.size() + swimmer.bonds.size();
   const double elements = static_cast<double>(in_box) * repeat[0] * repeat[1] * repeat[2];
   if (elements > static_cast<double>(max_elements)) {
     throw InputError("--repeat", fmt::format("the copies have {:g} beads and bonds, but at most {} can be "
@@ -177,7 +178,8 @@ std::vector<PictureMark> marks(const SwarmScene& scene, const SwarmFlags& option
   for (const auto& [name, id] : options.marks) {
     const auto found = std::ranges::find(ids, id);
     if (found == ids.end()) throw_unknown_swimmer("--mark", id, ids, scene.source);
-    marks.push_back({name, scene.picture.swimmers[static_cast<std::size_t>(found - ids.begin())].middle_bead()});
+    marks.push_back(
+        {name, scene.picture.swimmers[static_cast<std::size_t>(found - ids.begin())].middle_bead()});
   }
   return marks;
 }

@@ -1,5 +1,3 @@
-#include "verdicts.hpp"
-
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -11,6 +9,7 @@
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"
+#include "errors.hpp"
 #include "plot_inputs.hpp"
 
 namespace beadswim {

@@ -51,11 +51,6 @@ void add_flags(CLI::App& program, ViewRequest& request) {
              "viewing.md");
 }
 
-/// Throws InputError if this program was built without the web page.
-void require_page() {
-  if (page.before_data == nullptr) throw InputError("page", page.build_error);
-}
-
 void require_output(const ViewRequest& request) {
   const std::string& path = request.output;
   if (path != "-" && !path.ends_with(".html") && !path.ends_with(".htm")) {
@@ -86,7 +81,7 @@ int run(int argc, const char* const* argv) {
   ViewRequest request;
   add_flags(*program, request);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
-  require_page();
+  if (page.before_data == nullptr) throw InputError("page", page.build_error);  // built without it
   require_output(request);
   const TrajectoryFile file = open_trajectory(request.file);
   require_page_size(file, request.options);

@@ -49,9 +49,9 @@ inline constexpr int marker_shapes = 8;
 std::string line(Point from, Point to, const Stroke& stroke);
 std::string polyline(const std::vector<Point>& points, const Stroke& stroke);
 /// Clips the line through `points` to the range between `top` and `bottom`, with y downwards. Returns the
-/// visible parts. The line is interrupted at non-finite points. It is also interrupted between two consecutive
-/// points outside the range: if they are on opposite sides, they indicate a pole, which the line must not
-/// cross.
+/// visible parts. The line is interrupted at non-finite points. It is also interrupted between two
+/// consecutive points outside the range: if they are on opposite sides, they indicate a pole, which the line
+/// must not cross.
 std::vector<std::vector<Point>> visible_parts(const std::vector<Point>& points, double top, double bottom);
 /// Returns a filled area without outline.
 std::string area(const std::vector<Point>& points, const std::string& fill, double opacity);
