@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "beadswim/lattice/lattice_vector.hpp"
+#include "beadswim/lattice/populations.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "scenes.hpp"
 

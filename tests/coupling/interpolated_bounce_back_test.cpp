@@ -7,7 +7,7 @@
 
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/coupling/multireflection.hpp"
-#include "beadswim/lattice/lattice_vector.hpp"
+#include "beadswim/lattice/populations.hpp"
 
 namespace beadswim {
 namespace {

@@ -8,7 +8,7 @@
 #include "beadswim/lattice/fluid_step.hpp"
 #include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/populations.hpp"
-#include "beadswim/lattice/sweep.hpp"
+#include "set_equilibrium.hpp"
 
 namespace beadswim::test {
 

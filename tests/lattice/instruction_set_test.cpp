@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "beadswim/core/order_free_sum.hpp"
-#include "beadswim/lattice/moments.hpp"
 #include "row_kernels.hpp"
 
 namespace beadswim {

@@ -6,6 +6,7 @@
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/lattice/levels.hpp"
+#include "set_equilibrium.hpp"
 
 namespace beadswim::test {
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "beadswim/lattice/lattice_vector.hpp"
+#include "../lattice/set_equilibrium.hpp"
 
 namespace beadswim::verification {
 namespace {
@@ -105,20 +105,13 @@ Load SpheresInFluid::take_load(int sphere) {
 std::vector<Load> SpheresInFluid::step() {
   BeadBoundary boundary{coverage_, links_, beads_, rates_, sums_};
   saturated_forces_.clear();
-  halo_.fill(populations_);
-  BlockSweep sweep(populations_, rates_, RowEnds::left_to_halo, body_force);
-  for (int n = 0; n < cells_[2]; ++n) {
-    const int z = plane_in_order(n, cells_[2]);
-    for (int y = 0; y < cells_[1]; ++y) {
-      if (has_links(links_.scheme())) {
-        if (y == 0) boundary.bounce_back_before_plane(populations_, z);
-      } else {
-        push_row(y, z);
-      }
-      sweep.row(y, z);
-    }
-  }
-  sweep.finish();
+  const auto before_row = [&](int y, int z) {
+    if (!has_links(links_.scheme()))
+      push_row(y, z);
+    else if (y == 0)
+      boundary.bounce_back_before_plane(populations_, z);
+  };
+  step_fluid(populations_, halo_, rates_, body_force, {.before_row = before_row});
   transfer_impulses(sums_, beads_);
   transfer_impulses(saturated_sums_, beads_);
   force_on_fluid_part_ = Vec3::Zero();

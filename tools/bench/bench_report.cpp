@@ -4,7 +4,7 @@
 
 #include "beadswim/core/processor.hpp"
 #include "beadswim/io/fields_json.hpp"
-#include "beadswim/lattice/sweep.hpp"
+#include "beadswim/lattice/fluid_step.hpp"
 #include "scenes.hpp"
 
 namespace beadswim {

@@ -8,7 +8,6 @@
 #include "beadswim/lattice/fluid_step.hpp"
 #include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/levels.hpp"
-#include "beadswim/lattice/sweep.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "yardstick.hpp"
 

@@ -1,8 +1,8 @@
 #include "beadswim/lattice/halo.hpp"
 
 #include <algorithm>
+#include <span>
 
-#include "beadswim/lattice/lattice_vector.hpp"
 
 namespace beadswim {
 namespace {
@@ -39,13 +39,6 @@ struct CellRun {
   int cells;
   std::ptrdiff_t next;  ///< index of the first cell of the next run minus `first`
 };
-
-/// Prefetches the populations of a run of cells, because runs are too short for the hardware prefetcher.
-template <class Real>
-void prefetch_run(const Real* first, const CellRun& run) {
-  constexpr int line = 64 / sizeof(Real);
-  for (int x = 0; x < run.cells; x += line) __builtin_prefetch(first + x, 1);
-}
 
 /// Copies the populations of a run of cells. Returns the address after the last copied value.
 template <class Real>
@@ -94,43 +87,31 @@ auto* row_of(SomePopulations& populations, PopulationKind kind, int i, std::ptrd
                                                  first);
 }
 
-/// Fills the halo plane on `side` of `axis`. For all k, copies the population of direction from[k] to the
-/// population of direction to[k] of each halo cell. The source cell has an index that is larger than the
-/// index of the halo cell by `distance`.
-template <class Real>
-void copy_into_halo(Populations& populations, PopulationKind kind, int axis, int side,
-                    const FaceDirections& to, const FaceDirections& from, std::ptrdiff_t distance) {
-  for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const CellRun& run) {
-    for (int k = 0; k < entering_directions; ++k) {
-      const Real* source = row_of<Real>(populations, kind, from[k], run.first + distance);
-      Real* target = row_of<Real>(populations, kind, to[k], run.first);
-      prefetch_run(source + run.next, run);
-      prefetch_run(target + run.next, run);
-      copy_run(source, run, target);
-    }
-  });
-}
-
-/// Fills the halo along a periodic axis that is not divided among ranks: populations that leave on one side
-/// enter on the other side.
-template <class Real>
-void wrap_around(Populations& populations, PopulationKind kind, int axis) {
-  const std::ptrdiff_t period = populations.size()[axis] * populations.pitch(axis);
-  for (int side = 0; side < 2; ++side) {
-    const FaceDirections entering = directions_along(axis, entering_sign(side));
-    copy_into_halo<Real>(populations, kind, axis, side, entering, entering, entering_sign(side) * period);
-  }
-}
-
-/// Mirrors populations at a free-slip wall: the population that enters along i left the cell in front of the
-/// wall along the mirror image of i.
-template <class Real>
-void fill_free_slip(Populations& populations, PopulationKind kind, int axis, int side) {
+/// Fills the halo plane on `side` of `axis` with populations of the block itself: with those that leave on the
+/// other side of a periodic axis that is not divided among ranks, or with mirror images at a free-slip wall.
+/// There the population that enters along i left the cell in front of the wall along the mirror image of i.
+void fill_from_block(Populations& populations, PopulationKind kind, int axis, int side, Boundary boundary) {
   const FaceDirections entering = directions_along(axis, entering_sign(side));
-  FaceDirections images;
-  for (int k = 0; k < entering_directions; ++k) images[k] = d3q19::mirrored(entering[k], axis);
-  copy_into_halo<Real>(populations, kind, axis, side, entering, images,
-                       entering_sign(side) * populations.pitch(axis));
+  FaceDirections sources = entering;
+  const bool mirrors = boundary == Boundary::free_slip;
+  for (int& i : sources) i = mirrors ? d3q19::mirrored(i, axis) : i;
+  // index of the source cell minus index of the halo cell
+  const std::ptrdiff_t distance =
+      entering_sign(side) * populations.pitch(axis) * (mirrors ? 1 : populations.size()[axis]);
+  in_precision(populations.precision(), [&]<class Real>() {
+    for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const CellRun& run) {
+      for (int k = 0; k < entering_directions; ++k) {
+        const Real* source = row_of<Real>(populations, kind, sources[k], run.first + distance);
+        Real* target = row_of<Real>(populations, kind, entering[k], run.first);
+        // Prefetches the next run, because runs are too short for the hardware prefetcher.
+        for (int x = 0; x < run.cells; x += 64 / static_cast<int>(sizeof(Real))) {
+          __builtin_prefetch(source + run.next + x, 1);
+          __builtin_prefetch(target + run.next + x, 1);
+        }
+        copy_run(source, run, target);
+      }
+    });
+  });
 }
 
 /// Bounces populations back at a no-slip wall, in the planes low_z <= z < high_z: the population that enters
@@ -141,26 +122,27 @@ void fill_free_slip(Populations& populations, PopulationKind kind, int axis, int
 ///   f_i = f*_ibar + 6 w_i c_i.u
 ///
 /// Ladd, J. Fluid Mech. 271 (1994) 285, with density 1 at the wall.
-template <class Real>
 void bounce_back_at_face(Populations& populations, int axis, int side, const Vec3& wall_velocity, int low_z,
                          int high_z) {
   Index3 low(0, 0, low_z), high(populations.size()[0], populations.size()[1], high_z);
   low[axis] = std::max(low[axis], edge_plane(populations, axis, side));
   high[axis] = std::min(high[axis], edge_plane(populations, axis, side) + 1);
-  for (int z = low[2]; z < high[2]; ++z) {
-    for (int y = low[1]; y < high[1]; ++y) {
-      for (const int i : directions_along(axis, entering_sign(side))) {
-        const CellRun run{.first = populations.cell(low[0], y, z), .cells = high[0] - low[0], .next = 0};
-        const Real* from = populations.outgoing_row<Real>(d3q19::opposite(i), run.first);
-        Real* to = populations.incoming_row<Real>(i, run.first);
-        const auto added = static_cast<Real>(6 * d3q19::weight(i) * velocity_of(i).dot(wall_velocity));
-        if (added == 0)
-          copy_run(from, run, to);
-        else
-          std::transform(from, from + run.cells, to, [&](Real leaving) { return leaving + added; });
+  in_precision(populations.precision(), [&]<class Real>() {
+    for (int z = low[2]; z < high[2]; ++z) {
+      for (int y = low[1]; y < high[1]; ++y) {
+        for (const int i : directions_along(axis, entering_sign(side))) {
+          const CellRun run{.first = populations.cell(low[0], y, z), .cells = high[0] - low[0], .next = 0};
+          const Real* from = populations.outgoing_row<Real>(d3q19::opposite(i), run.first);
+          Real* to = populations.incoming_row<Real>(i, run.first);
+          const auto added = static_cast<Real>(6 * d3q19::weight(i) * velocity_of(i).dot(wall_velocity));
+          if (added == 0)
+            copy_run(from, run, to);
+          else
+            std::transform(from, from + run.cells, to, [&](Real leaving) { return leaving + added; });
+        }
       }
     }
-  }
+  });
 }
 
 /// Returns the number of populations of one kind that one message along `axis` contains.
@@ -174,41 +156,40 @@ std::size_t num_face_populations(const Populations& populations, int axis) {
 
 /// Appends to `buffer` the populations that the neighbour across the face needs for its halo, in the order in
 /// which unpack() reads them.
-template <class Real>
 void pack(const Populations& populations, PopulationKind kind, int axis, int side,
           std::vector<std::byte>& buffer) {
-  const std::size_t first = buffer.size();
-  buffer.resize(first + num_face_populations(populations, axis) * sizeof(Real));
-  auto* to = reinterpret_cast<Real*>(buffer.data() + first);
-  for_each_run_of_plane(populations, axis, edge_plane(populations, axis, side), [&](const CellRun& run) {
-    for (const int i : directions_along(axis, -entering_sign(side))) {
-      to = copy_run(row_of<Real>(populations, kind, i, run.first), run, to);
-    }
+  in_precision(populations.precision(), [&]<class Real>() {
+    const std::size_t first = buffer.size();
+    buffer.resize(first + num_face_populations(populations, axis) * sizeof(Real));
+    auto* to = reinterpret_cast<Real*>(buffer.data() + first);
+    for_each_run_of_plane(populations, axis, edge_plane(populations, axis, side), [&](const CellRun& run) {
+      for (const int i : directions_along(axis, -entering_sign(side)))
+        to = copy_run(row_of<Real>(populations, kind, i, run.first), run, to);
+    });
   });
 }
 
 /// Fills the halo at a face from `buffer`. Returns the address of the first byte that it has not read.
-template <class Real>
 const std::byte* unpack(Populations& populations, PopulationKind kind, int axis, int side,
                         const std::byte* buffer) {
-  const auto* from = reinterpret_cast<const Real*>(buffer);
-  for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const CellRun& run) {
-    for (const int i : directions_along(axis, entering_sign(side))) {
-      copy_run(from, run, row_of<Real>(populations, kind, i, run.first));
-      from += run.cells;
-    }
+  return in_precision(populations.precision(), [&]<class Real>() {
+    const auto* from = reinterpret_cast<const Real*>(buffer);
+    for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const CellRun& run) {
+      for (const int i : directions_along(axis, entering_sign(side))) {
+        copy_run(from, run, row_of<Real>(populations, kind, i, run.first));
+        from += run.cells;
+      }
+    });
+    return reinterpret_cast<const std::byte*>(from);
   });
-  return reinterpret_cast<const std::byte*>(from);
 }
 
-/// Calls visit(kind) for each kind of population that one message contains. A population of kind `behind` may
-/// have entered the neighbour through another face. Messages with the kinds `leaving` and `behind` are
-/// therefore exchanged after the messages with entering populations.
-template <class Visit>
-void for_each_kind(HaloContent content, Visit&& visit) {
-  if (content == HaloContent::entering) return visit(PopulationKind::entering);
-  visit(PopulationKind::leaving);
-  visit(PopulationKind::behind);
+/// Returns the kinds of populations that one message contains. A population of kind `behind` may have entered
+/// the neighbour through another face. Messages with the kinds `leaving` and `behind` are therefore exchanged
+/// after the messages with entering populations.
+std::span<const PopulationKind> kinds_of(HaloContent content) {
+  static constexpr std::array all{PopulationKind::entering, PopulationKind::leaving, PopulationKind::behind};
+  return content == HaloContent::entering ? std::span(all).first(1) : std::span(all).last(2);
 }
 
 }  // namespace
@@ -243,10 +224,6 @@ Halo::~Halo() {
   }
 }
 
-void Halo::start(Populations& populations) {
-  in_precision(populations.precision(), [&]<class Real>() { start_as<Real>(populations); });
-}
-
 std::set<int> Halo::neighbours() const {
   std::set<int> others;
   for (const auto& sides : faces_) {
@@ -264,11 +241,8 @@ void Halo::progress() {
 
 void Halo::finish(Populations& populations) {
   if (!has_pending_messages_) return;
-  in_precision(populations.precision(), [&]<class Real>() {
-    receive<Real>(populations, HaloContent::entering, 2);
-    const int planes = populations.size()[2];
-    for (const int z : {0, planes - 1}) bounce_back_at_walls<Real>(populations, z, z + 1);
-  });
+  receive(populations, HaloContent::entering, 2);
+  for (const int z : {0, populations.size()[2] - 1}) bounce_back_at_walls(populations, z, z + 1);
   has_pending_messages_ = false;
 }
 
@@ -277,56 +251,51 @@ RowEnds Halo::row_ends() const {
   return faces_[0][0].neighbour == rank_ ? RowEnds::wrapped : RowEnds::left_to_halo;
 }
 
-template <class Real>
-void Halo::start_as(Populations& populations) {
+void Halo::start(Populations& populations) {
   const bool x_is_filled = row_ends() != RowEnds::left_to_halo && populations.row_ends_filled() == row_ends();
   for (int axis = x_is_filled ? 1 : 0; axis < 3; ++axis) {
-    start_across<Real>(populations, HaloContent::entering, axis);
+    start_across(populations, HaloContent::entering, axis);
     has_pending_messages_ = axis == 2 && is_cut(2);
     if (is_cut(axis) && (axis < 2 || content_ == HaloContent::behind)) {
-      receive<Real>(populations, HaloContent::entering, axis);
+      receive(populations, HaloContent::entering, axis);
       has_pending_messages_ = false;
     }
   }
   const int first_axis = row_ends() == RowEnds::wrapped ? 1 : 0;
   for (int axis = first_axis; axis < 3 && content_ == HaloContent::behind; ++axis) {
-    start_across<Real>(populations, HaloContent::behind, axis);
-    if (is_cut(axis)) receive<Real>(populations, HaloContent::behind, axis);
+    start_across(populations, HaloContent::behind, axis);
+    if (is_cut(axis)) receive(populations, HaloContent::behind, axis);
   }
-  bounce_back_at_walls<Real>(populations, 0, populations.size()[2]);
+  bounce_back_at_walls(populations, 0, populations.size()[2]);
 }
 
 /// Fills the halo cells beyond the faces perpendicular to `axis` that need no message. Sends the messages
 /// along this axis.
-template <class Real>
 void Halo::start_across(Populations& populations, HaloContent content, int axis) {
-  if (is_cut(axis)) send<Real>(populations, content, axis);
-  for_each_kind(content, [&](PopulationKind kind) {
-    if (faces_[axis][0].neighbour == rank_) wrap_around<Real>(populations, kind, axis);
+  if (is_cut(axis)) send(populations, content, axis);
+  for (const PopulationKind kind : kinds_of(content)) {
     for (int side = 0; side < 2; ++side) {
-      if (at_wall(axis, side, Boundary::free_slip)) fill_free_slip<Real>(populations, kind, axis, side);
-    }
-  });
-}
-
-template <class Real>
-void Halo::bounce_back_at_walls(Populations& populations, int low_z, int high_z) {
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int side = 0; side < 2; ++side) {
-      if (at_wall(axis, side, Boundary::no_slip))
-        bounce_back_at_face<Real>(populations, axis, side, faces_[axis][side].wall_velocity, low_z, high_z);
+      if (faces_[axis][0].neighbour == rank_ || at_wall(axis, side, Boundary::free_slip))
+        fill_from_block(populations, kind, axis, side, faces_[axis][side].closed_by);
     }
   }
 }
 
-template <class Real>
+void Halo::bounce_back_at_walls(Populations& populations, int low_z, int high_z) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int side = 0; side < 2; ++side) {
+      if (at_wall(axis, side, Boundary::no_slip))
+        bounce_back_at_face(populations, axis, side, faces_[axis][side].wall_velocity, low_z, high_z);
+    }
+  }
+}
+
 void Halo::send(const Populations& populations, HaloContent content, int axis) {
   for (int side = 0; side < 2; ++side) {
     Face& face = faces_[axis][side];
     if (!face.is_open()) continue;
     face.send.clear();
-    for_each_kind(content,
-                  [&](PopulationKind kind) { pack<Real>(populations, kind, axis, side, face.send); });
+    for (const PopulationKind kind : kinds_of(content)) pack(populations, kind, axis, side, face.send);
   }
   for (int side = 0; side < 2; ++side) {
     Face& face = faces_[axis][side];
@@ -339,14 +308,12 @@ void Halo::send(const Populations& populations, HaloContent content, int axis) {
   }
 }
 
-template <class Real>
 void Halo::receive(Populations& populations, HaloContent content, int axis) {
   MPI_Waitall(messages_.size(), messages_.data(), MPI_STATUSES_IGNORE);
   for (int side = 0; side < 2; ++side) {
     if (!faces_[axis][side].is_open()) continue;
     const std::byte* from = faces_[axis][side].receive.data();
-    for_each_kind(content,
-                  [&](PopulationKind kind) { from = unpack<Real>(populations, kind, axis, side, from); });
+    for (const PopulationKind kind : kinds_of(content)) from = unpack(populations, kind, axis, side, from);
   }
 }
 

@@ -2,8 +2,6 @@
 
 #include "beadswim/core/huge_pages.hpp"
 #include "beadswim/core/round_up.hpp"
-#include "beadswim/lattice/moments.hpp"
-#include "beadswim/lattice/trt.hpp"
 
 namespace beadswim {
 namespace {
@@ -60,12 +58,6 @@ CellMoments cell_moments(const Populations& populations, std::ptrdiff_t cell) {
   for (int i = 0; i < d3q19::directions; ++i) f[i] = populations.outgoing(i, cell);
   moments_of(f, r, u);
   return {r, Vec3(u[0], u[1], u[2])};
-}
-
-void set_equilibrium(Populations& populations, std::ptrdiff_t cell, double r, const Vec3& u) {
-  for (int i = 0; i < d3q19::directions; ++i) {
-    populations.set_outgoing(i, cell, equilibrium(i, r, u[0], u[1], u[2]));
-  }
 }
 
 }  // namespace beadswim

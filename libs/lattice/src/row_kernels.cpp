@@ -6,7 +6,7 @@
 #include "beadswim/core/lanes.hpp"
 #include "beadswim/core/order_free_cut.hpp"
 #include "beadswim/lattice/body_force.hpp"
-#include "beadswim/lattice/moments.hpp"
+#include "beadswim/lattice/d3q19.hpp"
 #include "beadswim/lattice/trt.hpp"
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {

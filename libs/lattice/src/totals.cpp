@@ -41,8 +41,9 @@ void add_run(FluidTotals& totals, const Populations& populations, std::ptrdiff_t
   for (int a = 0; a < 3; ++a) totals.momentum[a].add_split(sums.coarse[a + 1], sums.fine[a + 1]);
 }
 
-/// Returns the totals over the cells of a block outside the parts `skipped`, which are sorted by x.
-FluidTotals totals_outside(const Populations& populations, std::span<const Block> skipped) {
+}  // namespace
+
+FluidTotals block_totals(const Populations& populations, std::span<const Block> skipped) {
   constexpr int longest_run = order_free::max_terms;
   FluidTotals totals;
   const Index3& n = populations.size();
@@ -57,16 +58,6 @@ FluidTotals totals_outside(const Populations& populations, std::span<const Block
     }
   });
   return totals;
-}
-
-}  // namespace
-
-FluidTotals block_totals(const Populations& populations) {
-  return totals_outside(populations, {});
-}
-
-FluidTotals used_cell_totals(const Level& level) {
-  return totals_outside(level.populations, level.refined);
 }
 
 FluidTotals sum_over_ranks(const FluidTotals& totals, const Communicator& communicator) {

@@ -8,7 +8,7 @@
 #include "beadswim/coupling/moving_bounce_back.hpp"
 #include "beadswim/coupling/multireflection.hpp"
 #include "beadswim/coupling/refill.hpp"
-#include "beadswim/lattice/moments.hpp"
+#include "beadswim/lattice/d3q19.hpp"
 #include "link_kernel.hpp"
 
 namespace beadswim {

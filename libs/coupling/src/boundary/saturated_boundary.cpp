@@ -6,7 +6,7 @@
 #include "add_one_by_one.hpp"
 #include "beadswim/core/kernel_choice.hpp"
 #include "beadswim/coupling/saturated_cell.hpp"
-#include "beadswim/lattice/moments.hpp"
+#include "beadswim/lattice/d3q19.hpp"
 #include "saturated_kernel.hpp"
 
 namespace beadswim {

@@ -5,7 +5,7 @@
 #include "beadswim/core/lanes.hpp"
 #include "beadswim/core/order_free_terms.hpp"
 #include "beadswim/coupling/saturated_cell.hpp"
-#include "beadswim/lattice/moments.hpp"
+#include "beadswim/lattice/d3q19.hpp"
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 

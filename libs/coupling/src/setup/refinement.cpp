@@ -5,23 +5,46 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/swimmer_snapshot.hpp"
-#include "beadswim/lattice/level_transfer.hpp"
-#include "beadswim/lattice/nested_boxes.hpp"
+#include "beadswim/lattice/levels.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 namespace {
 
-/// Returns the distances between beads and interfaces. docs/refinement.md has the errors that they cause.
-LevelMargins margins_of(const CoupledScene& scene) {
+constexpr int cells_around_level = 4;  ///< cells of each level around the next finer level, at least
+
+/// Returns the smallest permitted distance of the beads from the end of the finest level [finest cell].
+/// docs/refinement.md has the errors that it causes.
+int distance_to_interface(const CoupledScene& scene) {
   constexpr double min_radii = 2;
-  LevelMargins margins;
+  int distance = 8;
   for (const SwimmerType& type : scene.types) {
     for (const Bead& bead : type.beads)
-      margins.around_region =
-          std::max(margins.around_region, static_cast<int>(std::ceil(min_radii * bead.radius)));
+      distance = std::max(distance, static_cast<int>(std::ceil(min_radii * bead.radius)));
   }
-  return margins;
+  return distance;
+}
+
+int floor_to_even(double x) {
+  return 2 * static_cast<int>(std::floor(x / 2));
+}
+int ceil_to_even(double x) {
+  return 2 * static_cast<int>(std::ceil(x / 2));
+}
+
+/// Places a level along one axis so that it contains [low, high], with cells_around_level coarser cells to its
+/// own image. `cells`: cells of the box of this size. Returns false if a wall is in the way.
+bool place_along(int axis, const Index3& cells, Boundary boundary, double low, double high, Block& level) {
+  constexpr int room = 2 * cells_around_level;
+  level.offset[axis] = floor_to_even(low);
+  level.size[axis] = ceil_to_even(high) - level.offset[axis];
+  if (boundary == Boundary::periodic) {
+    if (level.size[axis] + room <= cells[axis]) return true;
+    level.offset[axis] = 0;
+    level.size[axis] = cells[axis];
+    return true;
+  }
+  return level.offset[axis] >= room && level.offset[axis] + level.size[axis] + room <= cells[axis];
 }
 
 /// Returns the number of steps between two checks of the levels.
@@ -93,7 +116,20 @@ BeadExtent bead_extent(const CoupledScene& scene) {
 
 std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const BeadExtent& beads,
                                                 int count) {
-  return nested_levels(scene.cells, scene.boundary, beads.low, beads.high, count, margins_of(scene));
+  const int distance = distance_to_interface(scene);
+  std::vector<Block> levels(count);
+  Index3 box = scene.cells;
+  Vec3 low = beads.low.array() - distance, high = beads.high.array() + distance;
+  for (int n = count - 1; n > 0; --n) {
+    if ((box / 2 * 2 != box).any()) return std::nullopt;
+    for (int a = 0; a < 3; ++a)
+      if (!place_along(a, box, scene.boundary[a], low[a], high[a], levels[n])) return std::nullopt;
+    low = levels[n].offset.cast<double>() / 2 - cells_around_level;
+    high = levels[n].end().cast<double>() / 2 + cells_around_level;
+    box /= 2;
+  }
+  levels[0] = {.offset = Index3::Zero(), .size = box};
+  return levels;
 }
 
 int max_levels(const CoupledScene& scene) {
@@ -148,8 +184,8 @@ std::unique_ptr<CoupledSystem> with_levels_around_beads(CoupledSystem& system,
   if (system.fault()) return nullptr;  // the run is about to stop, and the new system would not know why
   const CoupledScene& scene = system.scene();
   const BeadExtent beads = extent_until_next_check(system, communicator);
-  const double margin = margins_of(scene).around_region;
-  if (gap_to_interface(system.levels().finest(), beads) > margin / 2) return nullptr;
+  const double distance = distance_to_interface(scene);
+  if (gap_to_interface(system.levels().finest(), beads) > distance / 2) return nullptr;
   const auto levels = levels_around(scene, beads, count);
   if (!levels || *levels == scene.levels) return nullptr;
   CoupledScene moved = scene;

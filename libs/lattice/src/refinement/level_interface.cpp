@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/lattice/lattice_vector.hpp"
 #include "number_exchange.hpp"
 #include "populations_by_row.hpp"
 
@@ -180,106 +179,102 @@ struct LevelInterface::Lists {
   Traffic traffic;
 };
 
-/// Fills the lists. All ranks visit the populations that cross the interface in the same order.
+/// Fills the lists. Each rank asks the owners of cells for the populations that it needs.
 class LevelInterface::Search {
  public:
   Search(Lists& lists, const Level& coarse, const Level& fine, const Communicator& communicator)
-      : lists_(lists),
-        coarse_(coarse),
-        fine_(fine),
-        rank_(communicator.rank()),
-        received_(communicator.size()) {}
+      : lists_(lists), coarse_(coarse), fine_(fine), communicator_(communicator) {}
 
   void find_entries() {
-    std::vector<std::map<Key, Source>> sources(received_.size());  // of each rank
-    std::vector<PopulationsByRow::Item> entries;
+    Wanted sources, wanted;  // wanted: also the neighbours of the sources, for slopes
+    std::vector<CellPopulation> entries;
     for_each_entry([&](const Index3& cell, int i, int half) {
-      const Source source{.cell = source_cell(cell, i, half), .direction = i};
-      EnteringParts& parts = entering_parts_[key_of(source)];
+      const CellPopulation source = source_of(cell, i, half);
+      EnteringParts& parts = entering_parts_[key_of(coarse_, source)];
       ++parts.count;
       parts.offsets += offset_of(cell, i, half);
-      sources[fine_owner(cell)].emplace(key_of(source), source);
-      if (half == 0 && fine_owner(cell) == rank_)
-        entries.push_back({.cell = cell - fine_.block.offset, .direction = i});
+      if (!is_own(fine_, cell)) return;
+      sources.emplace(key_of(coarse_, source), source);
+      if (half == 0) entries.push_back({.cell = cell, .direction = i});
     });
-    lists_.entries = PopulationsByRow(fine_.block.size, entries);
+    lists_.entries = PopulationsByRow(fine_.block, entries);
     lists_.entering.resize(entries.size());
-    list_sent_populations(sources);
-    for (const auto& [key, source] : sources[rank_]) add_source(key, source);
+    for (const auto& [key, source] : sources) {
+      wanted.emplace(key, source);
+      for_each_slope(source, [&](int, const CellPopulation& before, const CellPopulation& after) {
+        wanted.emplace(key_of(coarse_, before), before);
+        wanted.emplace(key_of(coarse_, after), after);
+      });
+    }
+    const Places places = request(coarse_, wanted, lists_.sent_by_coarse, lists_.from_coarse);
+    for (const auto& [key, source] : sources) add_source(key, source, places);
     lists_.coarse_populations.resize(lists_.numbers.size());
     for_each_entry([&](const Index3& cell, int i, int half) {
-      if (fine_owner(cell) == rank_) add_entry(entry_of(cell, i, half), lists_.entry_runs[half]);
+      if (is_own(fine_, cell)) add_entry(entry_of(cell, i, half), lists_.entry_runs[half]);
     });
   }
 
   void find_departures() {
-    std::vector<PopulationsByRow::Item> departures;
-    for_each_crossing(1, [&](const Index3& cell, int i) {
-      if (fine_owner(cell) == rank_)
-        departures.push_back({.cell = cell - fine_.block.offset, .direction = i});
-    });
-    lists_.departures = PopulationsByRow(fine_.block.size, departures);
-    for (NumberExchange& numbers : lists_.from_fine)
-      numbers.set_own_count(static_cast<int>(departures.size()));
-    int own = 0;
+    std::array<Places, 2> places;  // of the departures that arrive in this rank, by fine step
+    for (int half = 0; half < 2; ++half) {
+      Wanted wanted;
+      for_each_crossing(1, [&](const Index3& cell, int i) {
+        const CellPopulation departure{.cell = cell, .direction = i};
+        if (is_own(coarse_, target_cell(cell, i, half))) wanted.emplace(key_of(fine_, departure), departure);
+      });
+      places[half] = request(fine_, wanted, lists_.departures, lists_.from_fine[half]);
+    }
     std::map<Key, Target> targets;
     for_each_crossing(1, [&](const Index3& cell, int i) {
-      for (int half = 0; half < 2; ++half) add_departure(cell, i, half, own, targets);
-      if (fine_owner(cell) == rank_) ++own;
+      for (int half = 0; half < 2; ++half) add_departure(cell, i, half, places[half], targets);
     });
-    std::vector<PopulationsByRow::Item> arrivals, passing;
+    std::vector<CellPopulation> arrivals, passing;
     for (const auto& [key, target] : targets) {
-      (target.passes ? passing : arrivals).push_back(target.item);
+      (target.passes ? passing : arrivals).push_back(target.population);
       (target.passes ? lists_.arriving_passing : lists_.arriving).add(target.places);
     }
-    lists_.arrivals = PopulationsByRow(coarse_.block.size, arrivals);
-    lists_.passing_arrivals = PopulationsByRow(coarse_.block.size, passing);
+    lists_.arrivals = PopulationsByRow(coarse_.block, arrivals);
+    lists_.passing_arrivals = PopulationsByRow(coarse_.block, passing);
   }
 
  private:
-  using Key = std::uint64_t;  ///< identifies a coarse cell and a direction
+  using Key = std::uint64_t;  ///< identifies a cell and a direction
+  using Wanted = std::map<Key, CellPopulation>;
+  using Places = std::unordered_map<Key, int>;  ///< in a NumberExchange
 
   /// The parts of a coarse population that enter the fine level.
   struct EnteringParts {
     int count = 0;
     Vec3 offsets = Vec3::Zero();  ///< sum of offset_of()
   };
-  /// A population of a coarse cell.
-  struct Source {
-    Index3 cell = Index3::Zero();
-    int direction = 0;
-  };
   /// A population of a coarse cell of this rank that comes from the fine level.
   struct Target {
-    PopulationsByRow::Item item;
+    CellPopulation population;
     bool passes = false;                     ///< belongs to Lists::passing_arrivals
     std::array<std::vector<int>, 2> places;  ///< of the numbers that are added, as [fine step]
   };
-  /// Populations that a rank receives from the coarse level.
-  struct Received {
-    std::map<Key, Source> sources;             ///< those of which it needs the values
-    std::unordered_map<Key, int> places;       ///< in Lists::from_coarse
-    std::unordered_map<Key, int> populations;  ///< index in Lists::numbers
-  };
 
-  /// Returns a number that sorts populations of coarse cells by row, then by direction, then by x.
-  Key key_of(const Source& source) const {
-    const Index3 p = source.cell - coarse_.place.lattice.offset;
-    const Index3& n = coarse_.place.lattice.size;
+  /// Returns a number that sorts populations of a level by row, then by direction, then by x.
+  static Key key_of(const Level& level, const CellPopulation& population) {
+    const Index3 p = population.cell - level.place.lattice.offset;
+    const Index3& n = level.place.lattice.size;
     return p[0] + static_cast<Key>(n[0]) *
-                      (source.direction + d3q19::directions * (p[1] + static_cast<Key>(n[1]) * p[2]));
+                      (population.direction + d3q19::directions * (p[1] + static_cast<Key>(n[1]) * p[2]));
   }
 
-  int fine_owner(const Index3& cell) const { return fine_.decomposition.rank_of_cell(cell); }
-  int coarse_owner(const Index3& cell) const { return coarse_.decomposition.rank_of_cell(cell); }
+  static bool is_own(const Level& level, const Index3& cell) { return level.block.contains(cell); }
 
   bool is_refined(const Index3& coarse_cell) const { return fine_.place.contains(2 * coarse_cell); }
   /// Returns the coarse cell that contains a fine cell, which may lie outside the fine level.
   Index3 coarse_cell(const Index3& fine_cell) const {
     return coarse_.place.in_lattice(fine_cell.unaryExpr(&Block::floor_half));
   }
-  Index3 source_cell(const Index3& cell, int i, int half) const {
-    return coarse_cell(cell - (1 + half) * lattice_vector(i));
+  CellPopulation source_of(const Index3& cell, int i, int half) const {
+    return {.cell = coarse_cell(cell - (1 + half) * lattice_vector(i)), .direction = i};
+  }
+  /// Returns the coarse cell in which a population that leaves a fine cell is after the second fine step.
+  Index3 target_cell(const Index3& cell, int i, int half) const {
+    return coarse_cell(cell + (2 - half) * lattice_vector(i));
   }
 
   /// Calls visit(fine cell, direction i) for all fine cells whose neighbour along `sign` times the velocity
@@ -304,58 +299,53 @@ class LevelInterface::Search {
 
   /// Calls visit(axis, neighbours of the source on both sides) for all axes along which a slope is needed.
   template <class Visit>
-  void for_each_slope(const Source& source, Visit&& visit) const {
+  void for_each_slope(const CellPopulation& source, Visit&& visit) const {
     for (int a = 0; a < 3; ++a) {
-      Source before = source, after = source;
+      CellPopulation before = source, after = source;
       before.cell = coarse_.place.in_lattice(source.cell - unit_vector(a));
       after.cell = coarse_.place.in_lattice(source.cell + unit_vector(a));
       if (!is_refined(before.cell) && !is_refined(after.cell)) visit(a, before, after);
     }
   }
 
-  /// Lists the populations that coarse cells send, from the sources that each rank needs.
-  void list_sent_populations(const std::vector<std::map<Key, Source>>& sources) {
-    std::map<Key, Source> sent;
-    for (std::size_t rank = 0; rank < sources.size(); ++rank) {
-      const auto add = [&](const Source& source) {
-        received_[rank].sources.emplace(key_of(source), source);
-        if (coarse_owner(source.cell) == rank_) sent.emplace(key_of(source), source);
-      };
-      for (const auto& [key, source] : sources[rank]) {
-        add(source);
-        for_each_slope(source, [&](int, const Source& before, const Source& after) {
-          add(before);
-          add(after);
-        });
-      }
+  /// Sets up the exchange `numbers`, by which this rank receives the populations `wanted` of a level in each
+  /// step. `sent`: populations of this rank that it reads. Returns the places of all populations. Collective.
+  Places request(const Level& level, const Wanted& wanted, PopulationsByRow& sent,
+                 NumberExchange& numbers) const {
+    std::vector<std::vector<CellPopulation>> requests(communicator_.size());
+    for (const auto& [key, population] : wanted)
+      requests[level.decomposition.rank_of_cell(population.cell)].push_back(population);
+    const std::vector<std::vector<CellPopulation>> requested = all_to_all(requests, communicator_);
+    Wanted own;
+    for (const std::vector<CellPopulation>& by_rank : requested)
+      for (const CellPopulation& population : by_rank) own.emplace(key_of(level, population), population);
+    Places places;
+    std::vector<CellPopulation> items;
+    for (const auto& [key, population] : own) {
+      places[key] = static_cast<int>(items.size());
+      items.push_back(population);
     }
-    std::vector<PopulationsByRow::Item> items;
-    std::unordered_map<Key, int> own;  // place of a population of this rank
-    for (const auto& [key, source] : sent) {
-      own[key] = static_cast<int>(items.size());
-      items.push_back({.cell = source.cell - coarse_.block.offset, .direction = source.direction});
+    sent = PopulationsByRow(level.block, items);
+    numbers.set_own_count(static_cast<int>(items.size()));
+    for (int rank = 0; rank < communicator_.size(); ++rank) {
+      if (rank == communicator_.rank()) continue;
+      for (const CellPopulation& population : requested[rank])
+        numbers.add_sent(rank, places.at(key_of(level, population)));
+      for (const CellPopulation& population : requests[rank])
+        places[key_of(level, population)] = numbers.add_received(rank);
     }
-    lists_.sent_by_coarse = PopulationsByRow(coarse_.block.size, items);
-    lists_.from_coarse.set_own_count(static_cast<int>(items.size()));
-    for (std::size_t rank = 0; rank < sources.size(); ++rank) {
-      for (const auto& [key, source] : received_[rank].sources) {
-        const int owner = coarse_owner(source.cell);
-        received_[rank].places[key] =
-            lists_.from_coarse.add(owner, static_cast<int>(rank), owner == rank_ ? own.at(key) : -1);
-      }
-    }
+    return places;
   }
 
   /// Adds a coarse population that this rank needs.
-  void add_source(Key key, const Source& source) {
-    Received& received = received_[rank_];
+  void add_source(Key key, const CellPopulation& source, const Places& places) {
     CoarseNumbers numbers;
-    numbers.centre = received.places.at(key);
-    for_each_slope(source, [&](int axis, const Source& before, const Source& after) {
-      numbers.before[axis] = received.places.at(key_of(before));
-      numbers.after[axis] = received.places.at(key_of(after));
+    numbers.centre = places.at(key);
+    for_each_slope(source, [&](int axis, const CellPopulation& before, const CellPopulation& after) {
+      numbers.before[axis] = places.at(key_of(coarse_, before));
+      numbers.after[axis] = places.at(key_of(coarse_, after));
     });
-    received.populations[key] = static_cast<int>(lists_.numbers.size());
+    index_of_source_[key] = static_cast<int>(lists_.numbers.size());
     lists_.numbers.push_back(numbers);
   }
 
@@ -370,11 +360,11 @@ class LevelInterface::Search {
 
   /// Returns the entry of a fine cell of this rank.
   Entry entry_of(const Index3& cell, int i, int half) {
-    const Key key = key_of({.cell = source_cell(cell, i, half), .direction = i});
+    const Key key = key_of(coarse_, source_of(cell, i, half));
     const EnteringParts& parts = entering_parts_.at(key);
     Vec3 offset = offset_of(cell, i, half);
     if (parts.count == 8) offset -= parts.offsets / 8;
-    return {.from = received_[rank_].populations.at(key), .offset = offset_index(offset)};
+    return {.from = index_of_source_.at(key), .offset = offset_index(offset)};
   }
 
   static void add_entry(const Entry& entry, std::vector<EntryRun>& runs) {
@@ -382,30 +372,27 @@ class LevelInterface::Search {
     runs.push_back({.from = entry.from, .cells = 1, .offsets = {entry.offset, entry.offset}});
   }
 
-  /// Adds the population of direction i that leaves a fine cell in fine step `half`, and its arrival. `own`:
-  /// its place in Lists::departures.
-  void add_departure(const Index3& cell, int i, int half, int own, std::map<Key, Target>& targets) {
-    const Index3 end =
-        cell + (2 - half) * lattice_vector(i);  // fine cell in which it is after the second step
-    const Source target{.cell = coarse_cell(end), .direction = i};
-    const bool passes = !is_refined(target.cell - lattice_vector(i));
-    const int from = fine_owner(cell), to = coarse_owner(target.cell);
-    const int place = lists_.from_fine[half].add(from, to, own);
-    if (from == rank_ && passes)
-      lists_.edge_passages.push_back({.number = own, .entry = entry_of(cell, i, 0)});
-    if (to != rank_) return;
-    Target& of_rank = targets[key_of(target)];
-    of_rank.item = {.cell = target.cell - coarse_.block.offset, .direction = i};
-    of_rank.passes = passes;
-    of_rank.places[half].push_back(place);
+  /// Adds the population of direction i that leaves a fine cell in fine step `half`, and its arrival.
+  void add_departure(const Index3& cell, int i, int half, const Places& places,
+                     std::map<Key, Target>& targets) {
+    const CellPopulation arrival{.cell = target_cell(cell, i, half), .direction = i};
+    const bool passes = !is_refined(arrival.cell - lattice_vector(i));
+    const Key departure = key_of(fine_, {.cell = cell, .direction = i});
+    if (is_own(fine_, cell) && passes)
+      lists_.edge_passages.push_back({.number = places.at(departure), .entry = entry_of(cell, i, 0)});
+    if (!is_own(coarse_, arrival.cell)) return;
+    Target& target = targets[key_of(coarse_, arrival)];
+    target.population = arrival;
+    target.passes = passes;
+    target.places[half].push_back(places.at(departure));
   }
 
   Lists& lists_;
   const Level& coarse_;
   const Level& fine_;
-  int rank_;
+  const Communicator& communicator_;
   std::unordered_map<Key, EnteringParts> entering_parts_;
-  std::vector<Received> received_;  ///< one per rank
+  std::unordered_map<Key, int> index_of_source_;  ///< in Lists::numbers
 };
 
 namespace {
@@ -560,10 +547,6 @@ std::set<int> LevelInterface::neighbours() const {
   std::set<int> others = lists_->from_coarse.peers();
   for (const NumberExchange& numbers : lists_->from_fine) others.merge(numbers.peers());
   return others;
-}
-
-bool LevelInterface::is_within_step() const {
-  return lists_->half == 1;
 }
 
 const Traffic& LevelInterface::traffic() const {

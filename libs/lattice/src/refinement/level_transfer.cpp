@@ -1,12 +1,11 @@
-#include "beadswim/lattice/level_transfer.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "beadswim/lattice/moments.hpp"
+#include "beadswim/lattice/levels.hpp"
+#include "number_exchange.hpp"
 
 namespace beadswim {
 namespace {
@@ -41,74 +40,31 @@ class Region {
   std::vector<Cell> cells_;
 };
 
-/// Returns the blocks of all ranks.
-std::vector<Block> blocks_of_all(const Block& block, const Communicator& communicator) {
-  const std::array<int, 6> own = block.numbers();
-  std::vector<std::array<int, 6>> all(communicator.size());
-  MPI_Allgather(own.data(), 6, MPI_INT, all.data(), 6, MPI_INT, communicator.get());
-  std::vector<Block> blocks;
-  for (const std::array<int, 6>& numbers : all) blocks.push_back(Block::of_numbers(numbers));
-  return blocks;
-}
-
-/// Returns false if no cell of `wanted` lies in the block of this rank.
-bool may_share_cells(const Level& level, const Block& wanted) {
-  for (int a = 0; a < 3; ++a) {
-    bool shares = false;
-    for (int n = 0; n < wanted.size[a] && !shares; ++n) {
-      Index3 cell = level.block.offset;
-      cell[a] = wanted.offset[a] + n;
-      const int place = level.place.in_lattice(cell)[a];
-      shares = place >= level.block.offset[a] && place < level.block.end()[a];
-    }
-    if (!shares) return false;
-  }
-  return true;
-}
-
 /// Returns the populations of a box of cells, which may be another box on each rank. Cells outside the level
 /// are left at zero. Collective.
 Region fetch(const Level& level, const Block& wanted, const Communicator& communicator) {
-  const std::vector<Block> all = blocks_of_all(wanted, communicator);
-  std::vector<std::vector<double>> to_send(all.size());
-  for (std::size_t other = 0; other < all.size(); ++other) {
-    if (!may_share_cells(level, all[other])) continue;
-    for_each_cell_of(all[other], [&](const Index3& at) {
+  const auto for_each_wanted = [&](auto&& visit) {  // calls visit(cell of `wanted`, its image in the level, owner)
+    for_each_cell_of(wanted, [&](const Index3& at) {
       const Index3 cell = level.place.in_lattice(at);
-      if (!level.block.contains(cell)) return;
-      const std::ptrdiff_t index = level.populations.cell(cell - level.block.offset);
-      for (int i = 0; i < d3q19::directions; ++i)
-        to_send[other].push_back(level.populations.outgoing(i, index));
+      if (level.place.lattice.contains(cell)) visit(at, cell, level.decomposition.rank_of_cell(cell));
     });
-  }
-  std::vector<int> sent, received(all.size(), 0), sent_at, received_at;
-  std::vector<double> outgoing;
-  for (const std::vector<double>& numbers : to_send) {
-    sent_at.push_back(static_cast<int>(outgoing.size()));
-    sent.push_back(static_cast<int>(numbers.size()));
-    outgoing.insert(outgoing.end(), numbers.begin(), numbers.end());
-  }
-  const auto owner_of = [&](const Index3& cell) {
-    return level.place.lattice.contains(cell) ? level.decomposition.rank_of_cell(cell) : -1;
   };
-  for_each_cell_of(wanted, [&](const Index3& at) {
-    if (const int owner = owner_of(level.place.in_lattice(at)); owner >= 0)
-      received[owner] += d3q19::directions;
-  });
-  int total = 0;
-  for (const int count : received) {
-    received_at.push_back(total);
-    total += count;
+  std::vector<std::vector<Index3>> requests(communicator.size());
+  for_each_wanted([&](const Index3&, const Index3& cell, int owner) { requests[owner].push_back(cell); });
+  std::vector<std::vector<Cell>> answers;
+  for (const std::vector<Index3>& cells : all_to_all(requests, communicator)) {
+    std::vector<Cell>& answer = answers.emplace_back();
+    for (const Index3& cell : cells) {
+      const std::ptrdiff_t index = level.populations.cell(cell - level.block.offset);
+      Cell& populations = answer.emplace_back();
+      for (int i = 0; i < d3q19::directions; ++i) populations[i] = level.populations.outgoing(i, index);
+    }
   }
-  std::vector<double> incoming(total);
-  MPI_Alltoallv(outgoing.data(), sent.data(), sent_at.data(), MPI_DOUBLE, incoming.data(), received.data(),
-                received_at.data(), MPI_DOUBLE, communicator.get());
+  answers = all_to_all(answers, communicator);
   Region region(wanted);
-  for_each_cell_of(wanted, [&](const Index3& at) {
-    const int owner = owner_of(level.place.in_lattice(at));
-    if (owner < 0) return;
-    for (double& population : region[at]) population = incoming[received_at[owner]++];
-  });
+  std::vector<std::size_t> next(answers.size(), 0);
+  for_each_wanted(
+      [&](const Index3& at, const Index3&, int owner) { region[at] = answers[owner][next[owner]++]; });
   return region;
 }
 

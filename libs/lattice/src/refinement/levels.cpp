@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "beadswim/lattice/fluid_step.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -82,10 +84,38 @@ void Levels::set_wall_velocities(const std::array<WallVelocities, 3>& walls) {
   }
 }
 
+void Levels::step(const Vec3& body_force, const std::function<void(int, int)>& before_row) {
+  for (BodyImpulse& impulse : impulses_) impulse.pending += body_force;
+  advance(count() - 1, before_row);
+}
+
+void Levels::advance(int n, const std::function<void(int, int)>& before_row) {
+  Level& level = *levels_[n];
+  Populations& fluid = level.populations;
+  LevelInterface* const to_coarser = n > 0 ? interfaces_[n - 1].get() : nullptr;
+  LevelInterface* const to_finer = n + 1 < count() ? interfaces_[n].get() : nullptr;
+  if (to_coarser) to_coarser->begin_fine_step(levels_[n - 1]->populations, fluid);
+  BodyImpulse& impulse = impulses_[n];
+  impulse.acted = acting_body_force(impulse.pending, fluid.precision());
+  impulse.pending -= impulse.acted;
+  const auto before_plane = [&](int z) {
+    if (to_coarser) to_coarser->set_fine_plane(fluid, z);
+    if (to_finer) to_finer->set_coarse_plane(fluid, z);
+  };
+  const auto after_plane = [&](int z) {
+    if (to_coarser) to_coarser->read_fine_plane(fluid, z);
+    if (to_finer) to_finer->read_coarse_plane(fluid, z);
+  };
+  step_fluid(fluid, level.halo, level.rates, impulse.acted,
+             {.before_row = before_row, .before_plane = before_plane, .after_plane = after_plane},
+             level.refined);
+  if (to_coarser && to_coarser->end_fine_step()) advance(n - 1, {});  // coarser levels contain no beads
+}
+
 std::vector<FluidTotals> Levels::coarser_totals() const {
   std::vector<FluidTotals> totals;
   for (int n = 0; n + 1 < count(); ++n) {
-    totals.push_back(used_cell_totals(*levels_[n]));
+    totals.push_back(block_totals(levels_[n]->populations, levels_[n]->refined));
     totals.push_back(interfaces_[n]->in_transit());
   }
   return totals;

@@ -4,18 +4,21 @@
 #include <vector>
 
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/lattice/block.hpp"
 #include "beadswim/lattice/populations.hpp"
 
 namespace beadswim {
+
+/// A population of a cell.
+struct CellPopulation {
+  Index3 cell = Index3::Zero();
+  int direction = 0;
+};
 
 /// A list of populations of a block, row by row. Most rows contain the same populations, which are therefore
 /// stored once: with a list for each row, most of the time would be spent on loading the lists.
 class PopulationsByRow {
  public:
-  struct Item {
-    Index3 cell = Index3::Zero();  ///< local coordinates
-    int direction = 0;
-  };
   /// Populations of one direction in successive cells along x.
   struct Run {
     int x = 0;  ///< local coordinate of the first cell
@@ -26,11 +29,12 @@ class PopulationsByRow {
   };
 
   PopulationsByRow() = default;
-  /// `size`: cells of the block along each axis; `items`: the populations, sorted by z and then by y.
-  PopulationsByRow(const Index3& size, const std::vector<Item>& items)
-      : rows_in_plane_(size[1]), rows_(size[1] * size[2]), patterns_(1) {
+  /// `items`: populations of cells of the block in coordinates of the lattice, sorted by z and then by y.
+  PopulationsByRow(const Block& block, std::vector<CellPopulation> items)
+      : rows_in_plane_(block.size[1]), rows_(block.size[1] * block.size[2]), patterns_(1) {
+    for (CellPopulation& item : items) item.cell -= block.offset;
     for (auto begin = items.begin(); begin != items.end();) {
-      const auto end = std::find_if(begin, items.end(), [&](const Item& item) {
+      const auto end = std::find_if(begin, items.end(), [&](const CellPopulation& item) {
         return item.cell[1] != begin->cell[1] || item.cell[2] != begin->cell[2];
       });
       row(begin->cell[1], begin->cell[2]) = {.pattern = pattern_of(begin, end),

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/lattice/lattice_vector.hpp"
+#include "beadswim/lattice/populations.hpp"
 #include "beadswim/lattice/trt.hpp"
 
 // Populations of a cell that a bead has just uncovered, by Grad's thirteen-moment approximation.

@@ -2,7 +2,6 @@
 
 #include "beadswim/core/kernel.hpp"
 #include "beadswim/lattice/d3q19.hpp"
-#include "beadswim/lattice/moments.hpp"
 
 // A uniform force g per volume of fluid, which acts at the end of a time step, after the collision. It moves
 // the populations by the difference of two equilibria (trt.hpp):

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "beadswim/core/kernel.hpp"
+
 // The D3Q19 lattice: velocities c_i and weights w_i. The squared speed of sound is c_s^2 = 1/3 cell^2/step^2
 // (Qian, d'Humieres & Lallemand 1992).
 //
@@ -85,3 +87,25 @@ static_assert(near(moment(0, 4, 1, 0), 1.0 / 3) && near(moment(0, 2, 1, 2), 1.0 
 
 }  // namespace identities
 }  // namespace beadswim::d3q19
+
+namespace beadswim {
+
+/// Evaluates the moments r = sum f_i (density minus 1) and u = sum c_i f_i (momentum) of one cell from its
+/// populations f_i minus their weights w_i. The order of the additions is fixed, so that the bits are
+/// reproducible. Value: double, or a vector of doubles with one lane per cell.
+template <class Value>
+BEADSWIM_KERNEL void moments_of(const Value (&f)[d3q19::directions], Value& r, Value (&u)[3]) {
+  r = f[0];
+  u[0] = u[1] = u[2] = Value{};
+#pragma GCC unroll 19
+  for (int i = 1; i < d3q19::directions; ++i) {
+    r += f[i];
+#pragma GCC unroll 3
+    for (int a = 0; a < 3; ++a) {
+      if (d3q19::velocity[i][a] == 1) u[a] += f[i];
+      if (d3q19::velocity[i][a] == -1) u[a] -= f[i];
+    }
+  }
+}
+
+}  // namespace beadswim

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <span>
+#include <string>
+
+#include "beadswim/lattice/block.hpp"
 #include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/populations.hpp"
-#include "beadswim/lattice/sweep.hpp"
 #include "beadswim/lattice/trt.hpp"
 
 namespace beadswim {
@@ -25,38 +29,38 @@ constexpr int first_outer_plane(int planes) {
   return planes > 4 ? planes - 4 : 0;
 }
 
-/// Advances the fluid of a block by one time step: fills the halo, then streams and collides the populations
-/// row by row. Calls before_row(y, z) before it sweeps the row (y, z). At this call, the halo cells that the
-/// row reads are filled. before_row must apply the boundary condition on the links of this row (links end at
-/// a bead) that have not been processed yet: links within the row, and links between the row and rows that
-/// have not been swept. Calls before_plane(z) and after_plane(z) before and after it sweeps all rows of a
-/// plane. body_force: momentum that each cell gains in this step (body_force.hpp). `skipped`: cells that the
-/// step leaves as they are (BlockSweep).
-template <class BeforePlane, class BeforeRow, class AfterPlane>
-void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates, const Vec3& body_force,
-                BeforePlane&& before_plane, BeforeRow&& before_row, AfterPlane&& after_plane,
-                std::span<const Block> skipped = {}) {
-  halo.start(populations);
-  BlockSweep sweep(populations, rates, halo.row_ends(), body_force, skipped);
-  const int rows = populations.size()[1], planes = populations.size()[2];
-  for (int n = 0; n < planes; ++n) {
-    if (n < first_outer_plane(planes)) halo.progress();
-    if (n == first_outer_plane(planes)) halo.finish(populations);
-    const int z = plane_in_order(n, planes);
-    before_plane(z);
-    for (int y = 0; y < rows; ++y) {
-      before_row(y, z);
-      sweep.row(y, z);
-    }
-    after_plane(z);
-  }
-  sweep.finish();
-}
+/// Functions that a step of the fluid calls. An empty function is not called.
+struct StepCallbacks {
+  /// Called before the row (y, z) is swept, when the halo cells that the row reads are filled. It must apply
+  /// the boundary condition on the links of this row (links end at a bead) that have not been processed yet:
+  /// links within the row, and links between the row and rows that have not been swept.
+  std::function<void(int y, int z)> before_row = {};
+  /// Called before and after all rows of a plane are swept.
+  std::function<void(int z)> before_plane = {}, after_plane = {};
+};
 
-inline void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates,
-                       const Vec3& body_force = Vec3::Zero()) {
-  step_fluid(
-      populations, halo, rates, body_force, [](int) {}, [](int, int) {}, [](int) {});
-}
+/// Advances the fluid of a block by one time step: fills the halo, then streams and collides the populations
+/// row by row. Each cell of the block reads its 19 incoming populations, collides them and writes its 19
+/// outgoing populations, in a loop without branches. body_force: momentum that each cell gains in this step
+/// (body_force.hpp). `skipped`: cells that the step leaves as they are, in local coordinates, sorted by x.
+///
+/// The results have the same bits for every instruction set and every shape of block.
+void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates,
+                const Vec3& body_force = Vec3::Zero(), const StepCallbacks& callbacks = {},
+                std::span<const Block> skipped = {});
+
+/// Streams and collides all cells of a block. All incoming populations must have been set. `row_ends` selects
+/// how the sweep fills the halo cells at the ends of each row for the next step (Halo::row_ends()).
+void stream_and_collide(Populations& populations, const RelaxationRates& rates,
+                        RowEnds row_ends = RowEnds::left_to_halo, const Vec3& body_force = Vec3::Zero());
+
+/// Returns the body force that may act instead of `body_force` on populations of this precision. In single
+/// precision it has so few binary digits that a population takes it up without rounding. Other errors would
+/// not average out, because they are equal in many cells and steps.
+Vec3 acting_body_force(const Vec3& body_force, Precision precision);
+
+/// Returns the instruction set that the kernels use on this processor: "x86-64-v4", "x86-64-v3" or
+/// "baseline".
+std::string sweep_instruction_set();
 
 }  // namespace beadswim

@@ -97,15 +97,9 @@ class Halo {
     return faces_[axis][0].neighbour != rank_ && (faces_[axis][0].is_open() || faces_[axis][1].is_open());
   }
 
-  template <class Real>
-  void start_as(Populations& populations);
-  template <class Real>
   void bounce_back_at_walls(Populations& populations, int low_z, int high_z);
-  template <class Real>
   void start_across(Populations& populations, HaloContent content, int axis);
-  template <class Real>
   void send(const Populations& populations, HaloContent content, int axis);
-  template <class Real>
   void receive(Populations& populations, HaloContent content, int axis);
 
   MPI_Comm comm_;

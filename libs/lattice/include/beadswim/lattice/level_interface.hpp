@@ -78,9 +78,6 @@ class LevelInterface {
   /// have entered it. The coarse level does not count them yet [fine cell].
   FluidTotals in_transit() const;
 
-  /// Returns true between the two fine steps of a coarse step.
-  bool is_within_step() const;
-
   /// Returns the other ranks that exchange populations with this rank.
   std::set<int> neighbours() const;
   /// Returns the messages that have been sent so far.

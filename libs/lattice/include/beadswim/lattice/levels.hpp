@@ -1,11 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <set>
 #include <span>
 #include <vector>
 
-#include "beadswim/lattice/fluid_step.hpp"
 #include "beadswim/lattice/level.hpp"
 #include "beadswim/lattice/level_interface.hpp"
 #include "beadswim/lattice/totals.hpp"
@@ -73,14 +73,10 @@ class Levels {
   }
 
   /// Makes one step of the finest level, and the steps of coarser levels that are then due. Calls
-  /// before_row(y, z) before it sweeps a row of the finest level (step_fluid()). body_force: momentum that
-  /// each cell of the finest level gains in this step. What acting_body_force() rounds off acts in later
-  /// steps.
-  template <class BeforeRow>
-  void step(const Vec3& body_force, BeforeRow&& before_row) {
-    for (BodyImpulse& impulse : impulses_) impulse.pending += body_force;
-    advance(count() - 1, before_row);
-  }
+  /// before_row(y, z) before it sweeps a row of the finest level (StepCallbacks); it may be empty. body_force:
+  /// momentum that each cell of the finest level gains in this step. What acting_body_force() rounds off acts
+  /// in later steps.
+  void step(const Vec3& body_force, const std::function<void(int y, int z)>& before_row);
 
   /// Returns the totals of this rank outside the finest level, in the form that sum_of_coarser() needs.
   /// Throws SolverError if a number is non-finite.
@@ -96,50 +92,31 @@ class Levels {
   /// Returns the other ranks that exchange populations with this rank.
   std::set<int> neighbours() const;
 
-  /// Returns true if all levels have reached the same time.
-  bool are_synchronous() const {
-    for (const auto& between : interfaces_)
-      if (between->is_within_step()) return false;
-    return true;
-  }
-
  private:
   /// Returns the volume of level n outside the next finer level [cell of the finest level].
   double volume(int n) const;
 
-  /// Coarser levels contain no beads. (A lambda would have another type in each instance of advance().)
-  struct NoBeads {
-    void operator()(int, int) const {}
-  };
-
   /// Makes one step of level n, and of the coarser level if it is due.
-  template <class BeforeRow>
-  void advance(int n, BeforeRow&& before_row) {
-    Level& level = *levels_[n];
-    LevelInterface* const to_coarser = n > 0 ? interfaces_[n - 1].get() : nullptr;
-    LevelInterface* const to_finer = n + 1 < count() ? interfaces_[n].get() : nullptr;
-    if (to_coarser) to_coarser->begin_fine_step(levels_[n - 1]->populations, level.populations);
-    BodyImpulse& impulse = impulses_[n];
-    impulse.acted = acting_body_force(impulse.pending, level.populations.precision());
-    impulse.pending -= impulse.acted;
-    step_fluid(
-        level.populations, level.halo, level.rates, impulse.acted,
-        [&](int z) {
-          if (to_coarser) to_coarser->set_fine_plane(level.populations, z);
-          if (to_finer) to_finer->set_coarse_plane(level.populations, z);
-        },
-        before_row,
-        [&](int z) {
-          if (to_coarser) to_coarser->read_fine_plane(level.populations, z);
-          if (to_finer) to_finer->read_coarse_plane(level.populations, z);
-        },
-        level.refined);
-    if (to_coarser && to_coarser->end_fine_step()) advance(n - 1, NoBeads{});
-  }
+  void advance(int n, const std::function<void(int y, int z)>& before_row);
 
   std::vector<std::unique_ptr<Level>> levels_;               ///< coarsest first
   std::vector<std::unique_ptr<LevelInterface>> interfaces_;  ///< interface n joins levels n and n + 1
   std::vector<BodyImpulse> impulses_;                        ///< one per level
 };
+
+/// Sets all populations of `to` from those of `from`, which covers the same box with other levels. The number
+/// of levels must be equal, and all levels of `from` must have reached the same time. Cells of `from` that
+/// are not in use are changed. Mass and momentum are conserved to roundoff.
+///
+/// Cells of a level that existed before keep their populations. Other cells take them from the next finer or
+/// coarser level, at the place where both are equal in linear flow (level_interface.hpp). f* is a population
+/// after collision and c its velocity:
+///
+///   finer to coarser   F*(X) = mean of the eight f* in X + (c/2).grad f*     [cell of the finer level]
+///   coarser to finer   f*(x) = F*(X) + (s - c/4).grad F*                     [cell of the coarser level]
+///
+/// s is the centre of x relative to the centre of the coarser cell X. The terms with c must not change mass
+/// and momentum of a cell; such changes, which are of second order, are subtracted. Collective.
+void transfer(Levels& from, Levels& to, const Communicator& communicator);
 
 }  // namespace beadswim

@@ -11,6 +11,17 @@
 
 namespace beadswim {
 
+/// Returns the vector from a cell to the next cell along direction i [cell].
+inline Index3 lattice_vector(int i) {
+  const auto& c = d3q19::velocity[i];
+  return {c[0], c[1], c[2]};
+}
+
+/// Returns the velocity c_i of direction i [cell/step].
+inline Vec3 velocity_of(int i) {
+  return lattice_vector(i).cast<double>().matrix();
+}
+
 /// Treatment of the two halo cells at the ends of each row: the cell before its first cell and the cell after
 /// its last cell along x. The sweep (streaming and collision) can fill them itself while the row is in the
 /// cache.
@@ -80,13 +91,10 @@ class Populations {
   /// at a wall or bead, the boundary condition sets it.
   double incoming(int i, std::ptrdiff_t cell) const { return outgoing(i, cell - shift_[i]); }
 
-  /// Set a population. Return the stored value, which is f rounded to the precision of the populations.
+  /// Sets a population. Returns the stored value, which is f rounded to the precision of the populations.
   double set_outgoing(int i, std::ptrdiff_t cell, double f) {
     if (is_row_end(cell)) row_ends_filled_ = RowEnds::left_to_halo;
     return store(place_[parity_][i] + cell, f);
-  }
-  double set_incoming(int i, std::ptrdiff_t cell, double f) {
-    return store(place_[parity_][i] + cell - shift_[i], f);
   }
 
   // The following functions return the address of a population of cell `first`, for loops along rows: the
@@ -178,9 +186,6 @@ struct CellMoments {
   Vec3 momentum = Vec3::Zero();
 };
 CellMoments cell_moments(const Populations& populations, std::ptrdiff_t cell);
-
-/// Sets the populations of a cell to the equilibrium at density 1 + r and velocity u (lattice units).
-void set_equilibrium(Populations& populations, std::ptrdiff_t cell, double r, const Vec3& u);
 
 /// Calls visit(local coordinates, cell index) for every cell of the block except the halo, x fastest.
 template <class Visit>

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/order_free_sum.hpp"
-#include "beadswim/lattice/level.hpp"
+#include "beadswim/lattice/block.hpp"
 #include "beadswim/lattice/populations.hpp"
 
 namespace beadswim {
@@ -23,11 +24,8 @@ struct FluidTotals {
   Vec3 momentum_value() const { return {momentum[0].value(), momentum[1].value(), momentum[2].value()}; }
 };
 
-/// Returns the totals over all cells of a block except the halo.
-FluidTotals block_totals(const Populations& populations);
-
-/// Returns the totals over the cells of the block of a level that no finer level covers.
-FluidTotals used_cell_totals(const Level& level);
+/// Returns the totals over all cells of a block except the halo and the parts `skipped`, which are sorted by x.
+FluidTotals block_totals(const Populations& populations, std::span<const Block> skipped = {});
 
 /// Returns the sum of the totals of all ranks, on every rank. Collective.
 FluidTotals sum_over_ranks(const FluidTotals& totals, const Communicator& communicator);
