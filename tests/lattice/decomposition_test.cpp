@@ -65,7 +65,8 @@ TEST(RowEnds, AreFilledAnewAfterACellThereWasSet) {
   const std::ptrdiff_t last = box.populations.cell(8, 1, 1), image = box.populations.cell(-1, 1, 1);
   const int along_x = d3q19::direction_of(1, 0, 0);
   box.populations.set_outgoing(along_x, last, 0.0123);
-  box.halo.fill(box.populations);
+  box.halo.start(box.populations);
+  box.halo.finish(box.populations);
   EXPECT_EQ(box.populations.outgoing(along_x, image), 0.0123);
 }
 

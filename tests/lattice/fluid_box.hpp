@@ -26,7 +26,8 @@ struct FluidBox {
 
   void step() {
     if (row_ends) {
-      halo.fill(populations);
+      halo.start(populations);
+      halo.finish(populations);
       stream_and_collide(populations, rates, *row_ends, body_force);
     } else {
       step_fluid(populations, halo, rates, body_force);

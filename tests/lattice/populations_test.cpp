@@ -100,7 +100,7 @@ TEST_P(PopulationsOf, TakeLittleMoreThanTheirNumbers) {
   const auto bytes_over_own = [](int cells_along_x) {
     const Index3 box(cells_along_x, 80, 80);
     const double own = 19.0 * static_cast<double>(bytes_per_population(GetParam())) * box.prod();
-    return static_cast<double>(Populations(box, GetParam()).bytes()) / own;
+    return static_cast<double>(Populations::bytes_of(box, GetParam(), HaloContent::entering)) / own;
   };
   EXPECT_LT(bytes_over_own(126), 1.075);  // needs no padding
   for (const int cells_along_x : {113, 120, 128, 131})

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <span>
 
-
 namespace beadswim {
 namespace {
 
@@ -87,9 +86,10 @@ auto* row_of(SomePopulations& populations, PopulationKind kind, int i, std::ptrd
                                                  first);
 }
 
-/// Fills the halo plane on `side` of `axis` with populations of the block itself: with those that leave on the
-/// other side of a periodic axis that is not divided among ranks, or with mirror images at a free-slip wall.
-/// There the population that enters along i left the cell in front of the wall along the mirror image of i.
+/// Fills the halo plane on `side` of `axis` with populations of the block itself: with those that leave on
+/// the other side of a periodic axis that is not divided among ranks, or with mirror images at a free-slip
+/// wall. There the population that enters along i left the cell in front of the wall along the mirror image
+/// of i.
 void fill_from_block(Populations& populations, PopulationKind kind, int axis, int side, Boundary boundary) {
   const FaceDirections entering = directions_along(axis, entering_sign(side));
   FaceDirections sources = entering;

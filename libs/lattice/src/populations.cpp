@@ -39,7 +39,7 @@ Populations::Pitches Populations::pitches_of(const Index3& size, Precision preci
 }
 
 Populations::Populations(const Index3& size, Precision precision, HaloContent halo)
-    : precision_(precision), size_(size), bytes_(bytes_of(size, precision, halo)) {
+    : precision_(precision), size_(size) {
   const Pitches pitches = pitches_of(size, precision, halo);
   first_ = pitches.first;
   pitch_y_ = pitches.y;
@@ -50,7 +50,7 @@ Populations::Populations(const Index3& size, Precision precision, HaloContent ha
     place_[0][i] = d3q19::opposite(i) * pitches.direction;
     place_[1][i] = i * pitches.direction + shift_[i];
   }
-  data_.reset(allocate_zeros_on_huge_pages(bytes_));
+  data_.reset(allocate_zeros_on_huge_pages(bytes_of(size, precision, halo)));
 }
 
 CellMoments cell_moments(const Populations& populations, std::ptrdiff_t cell) {

@@ -4,7 +4,7 @@
 #include "row_kernels.hpp"
 
 #include "beadswim/core/lanes.hpp"
-#include "beadswim/core/order_free_cut.hpp"
+#include "beadswim/core/order_free_terms.hpp"
 #include "beadswim/lattice/body_force.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 #include "beadswim/lattice/trt.hpp"
@@ -53,54 +53,26 @@ void sweep_row(const SweepRow<Real>& row) {
   row.force.acts ? sweep_whole_row<true>(row) : sweep_whole_row<false>(row);
 }
 
-/// Sums of the density deviation and of the three momentum components over cells, one sum per lane of a
-/// vector. Each sum is split into a coarse and a fine part (order_free_cut.hpp).
-struct LaneTotals {
-  Lanes coarse[4] = {}, fine[4] = {};
-  decltype(Lanes{} < Lanes{}) fit = Lanes{} == Lanes{};  ///< per lane: true if no term was too large or NaN
-
-  BEADSWIM_KERNEL void add(const Lanes (&f)[d3q19::directions]) {
-    Lanes moments[4];
-    Lanes u[3];
-    moments_of(f, moments[0], u);
-    moments[1] = u[0], moments[2] = u[1], moments[3] = u[2];
-#pragma GCC unroll 4
-    for (int m = 0; m < 4; ++m) {
-      const Lanes multiple = order_free::coarse_part(moments[m]);
-      coarse[m] += multiple;
-      fine[m] += order_free::fine_part(moments[m], multiple);
-      fit &= (moments[m] < order_free::largest_term) &
-             (moments[m] > -order_free::largest_term);  // false for NaN
-    }
-  }
-};
-
 template <class Real>
-RowTotals totals_row(const TotalsRow<Real>& row) {
-  LaneTotals sums;
-  Lanes f[d3q19::directions];
-  const long whole = row.cells / lanes * lanes;
-  for (long x = 0; x < whole; x += lanes) {
+bool add_totals(const TotalsRow<Real>& row, OrderFreeLanes<4>& sums) {
+  double terms[4][TotalsRow<Real>::max_cells];
+  for (long x = 0; x < row.cells; x += lanes) {
+    Lanes f[d3q19::directions], density_deviation, u[3];
+    if (row.cells - x >= lanes) {
 #pragma GCC unroll 19
-    for (int i = 0; i < d3q19::directions; ++i) f[i] = load(row.outgoing[i] + x);
-    sums.add(f);
-  }
-  if (whole < row.cells) {
-    for (int i = 0; i < d3q19::directions; ++i) {
-      f[i] = Lanes{};
-      for (long x = whole; x < row.cells; ++x) f[i][x - whole] = static_cast<double>(row.outgoing[i][x]);
+      for (int i = 0; i < d3q19::directions; ++i) f[i] = load(row.outgoing[i] + x);
+    } else {
+      for (int i = 0; i < d3q19::directions; ++i) {
+        f[i] = Lanes{};
+        for (long k = 0; x + k < row.cells; ++k) f[i][k] = static_cast<double>(row.outgoing[i][x + k]);
+      }
     }
-    sums.add(f);
+    moments_of(f, density_deviation, u);
+    store(&terms[0][x], density_deviation);
+#pragma GCC unroll 3
+    for (int a = 0; a < 3; ++a) store(&terms[1 + a][x], u[a]);
   }
-  RowTotals totals{.coarse = {}, .fine = {}, .fits = true};
-  for (long lane = 0; lane < lanes; ++lane) {
-    for (int m = 0; m < 4; ++m) {
-      totals.coarse[m] += sums.coarse[m][lane];
-      totals.fine[m] += sums.fine[m][lane];
-    }
-    totals.fits = totals.fits && sums.fit[lane];
-  }
-  return totals;
+  return order_free::add_terms(terms, static_cast<int>(row.cells), sums);
 }
 
 constexpr const char *baseline = "baseline", *x86_64_v3 = "x86-64-v3", *x86_64_v4 = "x86-64-v4";
@@ -112,8 +84,8 @@ namespace beadswim {
 const RowKernels RowKernels::BEADSWIM_INSTRUCTION_SET{
     .sweep_fp64 = BEADSWIM_INSTRUCTION_SET::sweep_row,
     .sweep_fp32 = BEADSWIM_INSTRUCTION_SET::sweep_row,
-    .totals_fp64 = BEADSWIM_INSTRUCTION_SET::totals_row,
-    .totals_fp32 = BEADSWIM_INSTRUCTION_SET::totals_row,
+    .totals_fp64 = BEADSWIM_INSTRUCTION_SET::add_totals,
+    .totals_fp32 = BEADSWIM_INSTRUCTION_SET::add_totals,
     .instruction_set = BEADSWIM_INSTRUCTION_SET::BEADSWIM_INSTRUCTION_SET};
 
 }  // namespace beadswim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "beadswim/core/order_free_lanes.hpp"
 #include "beadswim/lattice/body_force.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 #include "beadswim/lattice/trt.hpp"
@@ -22,31 +23,33 @@ struct SweepRow {
   BodyForce<Real> force;
 };
 
-/// Arguments of totals_row(), which sums density deviation and momentum over a row of cells.
+/// A row of cells whose density deviations and momenta are summed.
 template <class Real>
 struct TotalsRow {
+  static constexpr int max_cells = 512;
+
   const Real* outgoing[d3q19::directions];  ///< addresses of the outgoing populations of the first cell
-  long cells;                               ///< number of cells, at most order_free::max_terms
-};
-/// Sums of density deviation and momentum over a row of cells. Each term is split into a coarse and a fine
-/// part, so that the sums do not depend on the order of the terms (OrderFreeSum).
-struct RowTotals {
-  double coarse[4], fine[4];  ///< sums of density deviation and of the three momentum components
-  bool fits;                  ///< false if a term was too large or NaN; the sums are then invalid
+  long cells;                               ///< number of cells, at most max_cells
 };
 
 /// Kernels compiled for one instruction set.
 struct RowKernels {
   void (*sweep_fp64)(const SweepRow<double>&);
   void (*sweep_fp32)(const SweepRow<float>&);
-  RowTotals (*totals_fp64)(const TotalsRow<double>&);
-  RowTotals (*totals_fp32)(const TotalsRow<float>&);
+  bool (*totals_fp64)(const TotalsRow<double>&, OrderFreeLanes<4>&);
+  bool (*totals_fp32)(const TotalsRow<float>&, OrderFreeLanes<4>&);
   const char* instruction_set;  ///< name
 
   void sweep(const SweepRow<double>& row) const { sweep_fp64(row); }
   void sweep(const SweepRow<float>& row) const { sweep_fp32(row); }
-  RowTotals totals(const TotalsRow<double>& row) const { return totals_fp64(row); }
-  RowTotals totals(const TotalsRow<float>& row) const { return totals_fp32(row); }
+  /// Adds density deviation and momentum of the cells to the sums. If a term is too large or non-finite, adds
+  /// nothing and returns false.
+  bool add_totals(const TotalsRow<double>& row, OrderFreeLanes<4>& sums) const {
+    return totals_fp64(row, sums);
+  }
+  bool add_totals(const TotalsRow<float>& row, OrderFreeLanes<4>& sums) const {
+    return totals_fp32(row, sums);
+  }
 
   static const RowKernels baseline, x86_64_v3,
       x86_64_v4;  ///< of each instruction set (core/kernel_choice.hpp)

@@ -1,19 +1,14 @@
-#include "beadswim/lattice/level_interface.hpp"
+#include "level_interface.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
-#include <limits>
 #include <map>
-#include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
 #include "beadswim/core/error.hpp"
-#include "number_exchange.hpp"
-#include "populations_by_row.hpp"
 
 namespace beadswim {
 namespace {
@@ -69,115 +64,7 @@ void for_each_outer_run(const LevelPlace& place, Visit&& visit) {
   }
 }
 
-/// A population that a coarse cell sends to the fine level.
-struct CoarsePopulation {
-  double value = 0;
-  Vec3 slope = Vec3::Zero();  ///< [1/coarse cell]
-
-  /// Evaluates the population at an offset from the centre of its cell [coarse cell].
-  double at(const Vec3& offset) const {
-    return value + (offset[0] * slope[0] + offset[1] * slope[1] + offset[2] * slope[2]);
-  }
-};
-/// Places of the numbers from which a CoarsePopulation is evaluated. Along axes without a slope, `before` and
-/// `after` are equal.
-struct CoarseNumbers {
-  int centre = 0;
-  std::array<int, 3> before{}, after{};
-};
-
-/// A population that enters a fine cell.
-struct Entry {
-  int from = 0;             ///< index of the CoarsePopulation
-  std::uint8_t offset = 0;  ///< index in Lists::offsets
-};
-/// Successive entries in the order of Lists::entries. Successive cells along x have two offsets alternately,
-/// and each coarse population enters two of them, except at the ends of the run.
-struct EntryRun {
-  int from = 0;  ///< index of the CoarsePopulation of the first entry
-  int cells = 0;
-  std::uint8_t in_first = 1;              ///< number of entries of the first population, 1 or 2
-  std::array<std::uint8_t, 2> offsets{};  ///< of the first and of the second entry
-
-  /// Returns true if `entry` belongs after the last entry of the run.
-  bool is_followed_by(const Entry& entry) const {
-    if (cells == 1) return entry.from == from || entry.from == from + 1;
-    return entry.from == from + (cells + 2 - in_first) / 2 && entry.offset == offsets[cells % 2];
-  }
-  void append(const Entry& entry) {
-    if (cells == 1) {
-      in_first = entry.from == from ? 2 : 1;
-      offsets[1] = entry.offset;
-    }
-    ++cells;
-  }
-};
-
-/// A population that enters the fine level in the first fine step, as `entry`, and leaves it in the second
-/// one, at an edge of the fine level. The coarse level also moves this population from one coarse cell to
-/// another. The fine level therefore sends only the change of the population.
-struct EdgePassage {
-  int number = 0;  ///< place in the NumberExchange of the second fine step
-  Entry entry;
-};
-
-/// Sums of the numbers that arrive in coarse cells, in the order of Lists::arrivals.
-class ArrivingSums {
- public:
-  /// Adds a sum of the numbers at `places`, as [fine step].
-  void add(const std::array<std::vector<int>, 2>& places) {
-    for (int half = 0; half < 2; ++half) {
-      std::ranges::copy(places[half], std::back_inserter(parts_[half].places));
-      parts_[half].ends.push_back(static_cast<int>(parts_[half].places.size()));
-    }
-    sums_.push_back(0);
-  }
-
-  /// Adds the numbers of a fine step. Those of the first one replace the sums.
-  void receive(int half, const NumberExchange& numbers) {
-    const int* place = parts_[half].places.data();
-    for (std::size_t n = 0; n < sums_.size(); ++n) {
-      double sum = half == 0 ? 0 : sums_[n];
-      for (const int* end = parts_[half].places.data() + parts_[half].ends[n]; place != end; ++place)
-        sum += numbers[*place];
-      sums_[n] = sum;
-    }
-  }
-  const std::vector<double>& sums() const { return sums_; }
-
- private:
-  /// Places of the numbers of all sums, one sum after another.
-  struct Parts {
-    std::vector<int> places;
-    std::vector<int> ends;  ///< one per sum: index in `places` after its last number
-  };
-  std::array<Parts, 2> parts_;  ///< one per fine step
-  std::vector<double> sums_;
-};
-
 }  // namespace
-
-struct LevelInterface::Lists {
-  explicit Lists(const Communicator& communicator)
-      : from_coarse(communicator), from_fine{NumberExchange(communicator), NumberExchange(communicator)} {}
-
-  NumberExchange from_coarse;               ///< own numbers: sent_by_coarse
-  std::array<NumberExchange, 2> from_fine;  ///< one per fine step; own numbers: departures
-  PopulationsByRow sent_by_coarse;          ///< outgoing populations of coarse cells
-  PopulationsByRow entries, departures;     ///< incoming and outgoing populations of fine cells
-  PopulationsByRow arrivals;                ///< incoming populations of coarse cells
-  PopulationsByRow passing_arrivals;        ///< arrivals that add to the population from another coarse cell
-  std::vector<CoarseNumbers> numbers;       ///< sources of coarse_populations
-  std::vector<CoarsePopulation> coarse_populations;
-  std::vector<Vec3> offsets;                        ///< all offsets that entries have [coarse cell]
-  std::array<std::vector<EntryRun>, 2> entry_runs;  ///< one list per fine step
-  std::vector<double> entering;                     ///< values of `entries` in the present fine step
-  std::vector<EdgePassage> edge_passages;
-  ArrivingSums arriving, arriving_passing;
-  int half = 0;              ///< number of fine steps done in this coarse step
-  bool has_numbers = false;  ///< the numbers of the next fine step have been read
-  Traffic traffic;
-};
 
 /// Fills the lists. Each rank asks the owners of cells for the populations that it needs.
 class LevelInterface::Search {
@@ -210,7 +97,7 @@ class LevelInterface::Search {
     for (const auto& [key, source] : sources) add_source(key, source, places);
     lists_.coarse_populations.resize(lists_.numbers.size());
     for_each_entry([&](const Index3& cell, int i, int half) {
-      if (is_own(fine_, cell)) add_entry(entry_of(cell, i, half), lists_.entry_runs[half]);
+      if (is_own(fine_, cell)) lists_.entry_lists[half].push_back(entry_of(cell, i, half));
     });
   }
 
@@ -349,13 +236,11 @@ class LevelInterface::Search {
     lists_.numbers.push_back(numbers);
   }
 
-  std::uint8_t offset_index(const Vec3& offset) {
+  int offset_index(const Vec3& offset) {
     const auto found = std::ranges::find(lists_.offsets, offset);
-    const std::ptrdiff_t index = found - lists_.offsets.begin();
+    const auto index = static_cast<int>(found - lists_.offsets.begin());
     if (found == lists_.offsets.end()) lists_.offsets.push_back(offset);
-    if (index > std::numeric_limits<std::uint8_t>::max())
-      throw std::logic_error("a level of cells has more than 256 different offsets");
-    return static_cast<std::uint8_t>(index);
+    return index;
   }
 
   /// Returns the entry of a fine cell of this rank.
@@ -365,11 +250,6 @@ class LevelInterface::Search {
     Vec3 offset = offset_of(cell, i, half);
     if (parts.count == 8) offset -= parts.offsets / 8;
     return {.from = index_of_source_.at(key), .offset = offset_index(offset)};
-  }
-
-  static void add_entry(const Entry& entry, std::vector<EntryRun>& runs) {
-    if (!runs.empty() && runs.back().is_followed_by(entry)) return runs.back().append(entry);
-    runs.push_back({.from = entry.from, .cells = 1, .offsets = {entry.offset, entry.offset}});
   }
 
   /// Adds the population of direction i that leaves a fine cell in fine step `half`, and its arrival.
@@ -429,24 +309,9 @@ void set_plane(Populations& populations, const PopulationsByRow& list, int z, Se
 }
 
 /// Evaluates the populations that enter the fine level.
-void evaluate(const std::vector<EntryRun>& runs, const std::vector<Vec3>& offsets,
+void evaluate(const std::vector<Entry>& entries, const std::vector<Vec3>& offsets,
               const std::vector<CoarsePopulation>& populations, double* to) {
-  for (const EntryRun& run : runs) {
-    const CoarsePopulation* from = &populations[run.from];
-    if (run.cells == 1) {
-      *to++ = from->at(offsets[run.offsets[0]]);
-      continue;
-    }
-    int n = 0;
-    if (run.in_first == 1) to[n++] = (from++)->at(offsets[run.offsets[0]]);
-    const Vec3 one = offsets[run.offsets[n % 2]], other = offsets[run.offsets[(n + 1) % 2]];
-    for (; n + 1 < run.cells; n += 2, ++from) {
-      to[n] = from->at(one);
-      to[n + 1] = from->at(other);
-    }
-    if (n < run.cells) to[n] = from->at(one);
-    to += run.cells;
-  }
+  for (const Entry& entry : entries) *to++ = populations[entry.from].at(offsets[entry.offset]);
 }
 
 /// Evaluates values and slopes of populations of coarse cells.
@@ -463,71 +328,68 @@ void evaluate(const std::vector<CoarseNumbers>& places, const NumberExchange& nu
 }  // namespace
 
 LevelInterface::LevelInterface(const Communicator& communicator, Level& coarse, const Level& fine)
-    : lists_(std::make_unique<Lists>(communicator)) {
+    : lists_(communicator) {
   require_room(coarse.place, fine.place);
   coarse.refined = coarse.place.parts_under(fine.place, coarse.block);
   std::erase_if(coarse.refined, [](const Block& part) { return part.is_empty(); });
-  Search search(*lists_, coarse, fine, communicator);
+  Search search(lists_, coarse, fine, communicator);
   search.find_entries();
   search.find_departures();
 }
 
-LevelInterface::~LevelInterface() = default;
-
 void LevelInterface::begin_fine_step(const Populations& coarse, const Populations& fine) {
-  const int half = lists_->half;
-  NumberExchange& from_fine = lists_->from_fine[half];
-  if (!lists_->has_numbers) {
-    read(coarse, lists_->sent_by_coarse, lists_->from_coarse.data());
-    read(fine, lists_->departures, from_fine.data());
-    lists_->has_numbers = true;
+  const int half = lists_.half;
+  NumberExchange& from_fine = lists_.from_fine[half];
+  if (!lists_.has_numbers) {
+    read(coarse, lists_.sent_by_coarse, lists_.from_coarse.data());
+    read(fine, lists_.departures, from_fine.data());
+    lists_.has_numbers = true;
   }
   if (half == 0) {
-    lists_->from_coarse.exchange(lists_->traffic);
-    evaluate(lists_->numbers, lists_->from_coarse, lists_->coarse_populations);
+    lists_.from_coarse.exchange(lists_.traffic);
+    evaluate(lists_.numbers, lists_.from_coarse, lists_.coarse_populations);
   } else {
-    for (const EdgePassage& passage : lists_->edge_passages)
+    for (const EdgePassage& passage : lists_.edge_passages)
       from_fine[passage.number] -=
-          lists_->coarse_populations[passage.entry.from].at(lists_->offsets[passage.entry.offset]);
+          lists_.coarse_populations[passage.entry.from].at(lists_.offsets[passage.entry.offset]);
   }
-  evaluate(lists_->entry_runs[half], lists_->offsets, lists_->coarse_populations, lists_->entering.data());
-  from_fine.exchange(lists_->traffic);
-  lists_->arriving.receive(half, from_fine);
-  lists_->arriving_passing.receive(half, from_fine);
+  evaluate(lists_.entry_lists[half], lists_.offsets, lists_.coarse_populations, lists_.entering.data());
+  from_fine.exchange(lists_.traffic);
+  lists_.arriving.receive(half, from_fine);
+  lists_.arriving_passing.receive(half, from_fine);
 }
 
 void LevelInterface::set_fine_plane(Populations& fine, int z) const {
-  const double* entering = lists_->entering.data();
-  set_plane(fine, lists_->entries, z, [&]<class Real>(Real& incoming, int index) {
-    incoming = static_cast<Real>(entering[index]);
-  });
+  const double* entering = lists_.entering.data();
+  set_plane(fine, lists_.entries, z,
+            [&]<class Real>(Real& incoming, int index) { incoming = static_cast<Real>(entering[index]); });
 }
 
 void LevelInterface::read_fine_plane(Populations& fine, int z) {
-  read_swept_plane(fine, lists_->departures, z, lists_->from_fine[1 - lists_->half].data());
+  read_swept_plane(fine, lists_.departures, z, lists_.from_fine[1 - lists_.half].data());
 }
 
 bool LevelInterface::end_fine_step() {
-  lists_->half = 1 - lists_->half;
-  return lists_->half == 0;
+  lists_.half = 1 - lists_.half;
+  return lists_.half == 0;
 }
 
 void LevelInterface::set_coarse_plane(Populations& coarse, int z) const {
-  const double *sums = lists_->arriving.sums().data(), *passing = lists_->arriving_passing.sums().data();
-  set_plane(coarse, lists_->arrivals, z,
+  const double *sums = lists_.arriving.sums().data(), *passing = lists_.arriving_passing.sums().data();
+  set_plane(coarse, lists_.arrivals, z,
             [&]<class Real>(Real& incoming, int index) { incoming = static_cast<Real>(sums[index] / 8); });
-  set_plane(coarse, lists_->passing_arrivals, z, [&]<class Real>(Real& incoming, int index) {
+  set_plane(coarse, lists_.passing_arrivals, z, [&]<class Real>(Real& incoming, int index) {
     incoming = static_cast<Real>(static_cast<double>(incoming) + passing[index] / 8);
   });
 }
 
 void LevelInterface::read_coarse_plane(Populations& coarse, int z) {
-  read_swept_plane(coarse, lists_->sent_by_coarse, z, lists_->from_coarse.data());
+  read_swept_plane(coarse, lists_.sent_by_coarse, z, lists_.from_coarse.data());
 }
 
 FluidTotals LevelInterface::in_transit() const {
   FluidTotals totals;
-  if (lists_->half == 0) return totals;
+  if (lists_.half == 0) return totals;
   const auto add = [&](const PopulationsByRow& list, const double* values, int sign) {
     for (int z = 0; z < list.planes(); ++z) {
       list.for_each_run(z, [&](const PopulationsByRow::Run& run, int, int index) {
@@ -538,19 +400,15 @@ FluidTotals LevelInterface::in_transit() const {
       });
     }
   };
-  add(lists_->departures, lists_->from_fine[0].data(), 1);
-  add(lists_->entries, lists_->entering.data(), -1);
+  add(lists_.departures, lists_.from_fine[0].data(), 1);
+  add(lists_.entries, lists_.entering.data(), -1);
   return totals;
 }
 
 std::set<int> LevelInterface::neighbours() const {
-  std::set<int> others = lists_->from_coarse.peers();
-  for (const NumberExchange& numbers : lists_->from_fine) others.merge(numbers.peers());
+  std::set<int> others = lists_.from_coarse.peers();
+  for (const NumberExchange& numbers : lists_.from_fine) others.merge(numbers.peers());
   return others;
-}
-
-const Traffic& LevelInterface::traffic() const {
-  return lists_->traffic;
 }
 
 }  // namespace beadswim

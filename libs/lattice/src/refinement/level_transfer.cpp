@@ -12,16 +12,6 @@ namespace {
 
 using Cell = std::array<double, d3q19::directions>;  ///< populations after collision
 
-/// Calls visit(cell) for all cells of a block, x fastest.
-template <class Visit>
-void for_each_cell_of(const Block& block, Visit&& visit) {
-  for (int z = block.offset[2]; z < block.end()[2]; ++z) {
-    for (int y = block.offset[1]; y < block.end()[1]; ++y) {
-      for (int x = block.offset[0]; x < block.end()[0]; ++x) visit(Index3(x, y, z));
-    }
-  }
-}
-
 /// Populations of a box of cells.
 class Region {
  public:
@@ -43,12 +33,13 @@ class Region {
 /// Returns the populations of a box of cells, which may be another box on each rank. Cells outside the level
 /// are left at zero. Collective.
 Region fetch(const Level& level, const Block& wanted, const Communicator& communicator) {
-  const auto for_each_wanted = [&](auto&& visit) {  // calls visit(cell of `wanted`, its image in the level, owner)
-    for_each_cell_of(wanted, [&](const Index3& at) {
-      const Index3 cell = level.place.in_lattice(at);
-      if (level.place.lattice.contains(cell)) visit(at, cell, level.decomposition.rank_of_cell(cell));
-    });
-  };
+  const auto for_each_wanted =
+      [&](auto&& visit) {  // calls visit(cell of `wanted`, its image in the level, owner)
+        for_each_cell(wanted, [&](const Index3& at) {
+          const Index3 cell = level.place.in_lattice(at);
+          if (level.place.lattice.contains(cell)) visit(at, cell, level.decomposition.rank_of_cell(cell));
+        });
+      };
   std::vector<std::vector<Index3>> requests(communicator.size());
   for_each_wanted([&](const Index3&, const Index3& cell, int owner) { requests[owner].push_back(cell); });
   std::vector<std::vector<Cell>> answers;
@@ -142,8 +133,7 @@ void fill_refined_cells(Level& level, const Level& finer, const Communicator& co
     for (Block part : level.place.parts_under(finer.place, slab)) {
       part.offset += slab.offset;
       const Region cells = fetch(finer, part.doubled(), communicator);
-      for_each_cell_of(part,
-                       [&](const Index3& cell) { set_cell(level, cell, coarser_cell(cells, 2 * cell)); });
+      for_each_cell(part, [&](const Index3& cell) { set_cell(level, cell, coarser_cell(cells, 2 * cell)); });
     }
   });
 }
@@ -160,7 +150,7 @@ void transfer(Levels& from, Levels& to, const Communicator& communicator) {
       std::optional<Region> coarser;
       if (n > 0)
         coarser = fetch(to[n - 1], slab.is_empty() ? Block{} : slab.halved().widened(), communicator);
-      for_each_cell_of(slab, [&](const Index3& cell) {
+      for_each_cell(slab, [&](const Index3& cell) {
         set_cell(level, cell, before.contains(cell) ? same[cell] : finer_cell(*coarser, cell));
       });
     });

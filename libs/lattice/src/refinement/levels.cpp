@@ -3,21 +3,19 @@
 #include <cmath>
 
 #include "beadswim/lattice/fluid_step.hpp"
+#include "level_interface.hpp"
 
 namespace beadswim {
 namespace {
 
-/// Returns the axes along which a level ends at a coarser level.
-std::array<bool, 3> interfaces_of(const LevelPlace& place) {
-  return {!place.spans(0), !place.spans(1), !place.spans(2)};
-}
-
-/// Throws InputError if `ranks` ranks cannot share each of the levels.
-void require_grids_of_levels(const std::vector<LevelPlace>& places, HaloContent content, int ranks) {
-  std::vector<SharedCells> lattices;
-  for (const LevelPlace& place : places) lattices.push_back({.cells = place.lattice.size});
-  lattices.back().thickness = min_thickness(content);
-  require_grids(lattices, ranks);
+/// Returns the relaxation time tau of a level [step of the level]. The viscosity and the speed of sound are
+/// the same on all levels.
+///
+///   tau - 1/2 = (tau_finest - 1/2)/2^n
+///
+/// tau_finest: relaxation time of the finest level;  n: number of finer levels
+double relaxation_time_of_level(double finest, int finer_levels) {
+  return 0.5 + std::ldexp(finest - 0.5, -finer_levels);
 }
 
 }  // namespace
@@ -46,12 +44,9 @@ Level::Level(const LevelPlace& place_of_level, double relaxation_time, Precision
       decomposition(place.lattice, communicator.size(), min_thickness(content)),
       block(decomposition.block(communicator.rank())),
       populations(block.size, precision, content),
-      halo(communicator, decomposition, place.boundary, content, interfaces_of(place)),
+      halo(communicator, decomposition, place.boundary, content,
+           {!place.spans(0), !place.spans(1), !place.spans(2)}),
       rates(relaxation_rates(relaxation_time)) {}
-
-double relaxation_time_of_level(double finest, int finer_levels) {
-  return 0.5 + std::ldexp(finest - 0.5, -finer_levels);
-}
 
 std::vector<LevelPlace> places_in_box(const Index3& cells, const std::array<Boundary, 3>& boundary,
                                       std::span<const Block> lattices) {
@@ -65,7 +60,10 @@ std::vector<LevelPlace> places_in_box(const Index3& cells, const std::array<Boun
 
 Levels::Levels(const std::vector<LevelPlace>& places, double relaxation_time, Precision precision,
                HaloContent content, const Communicator& communicator) {
-  require_grids_of_levels(places, content, communicator.size());
+  std::vector<SharedCells> lattices;
+  for (const LevelPlace& place : places) lattices.push_back({.cells = place.lattice.size});
+  lattices.back().thickness = min_thickness(content);
+  require_grids(lattices, communicator.size());
   const int count = static_cast<int>(places.size());
   for (int n = 0; n < count; ++n) {
     const int finer_levels = count - 1 - n;
@@ -77,6 +75,8 @@ Levels::Levels(const std::vector<LevelPlace>& places, double relaxation_time, Pr
   }
   impulses_.resize(count);
 }
+
+Levels::~Levels() = default;
 
 void Levels::set_wall_velocities(const std::array<WallVelocities, 3>& walls) {
   for (const auto& level : levels_) {

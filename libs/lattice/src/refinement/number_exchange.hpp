@@ -59,6 +59,7 @@ class NumberExchange {
   double& operator[](int place) { return numbers_[place]; }
   double operator[](int place) const { return numbers_[place]; }
   double* data() { return numbers_.data(); }
+  const double* data() const { return numbers_.data(); }
 
   /// Returns the other ranks that exchange numbers with this rank.
   std::set<int> peers() const {

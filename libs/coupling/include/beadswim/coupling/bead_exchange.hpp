@@ -12,7 +12,7 @@
 #include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
-#include "beadswim/lattice/level.hpp"
+#include "beadswim/lattice/levels.hpp"
 
 namespace beadswim {
 

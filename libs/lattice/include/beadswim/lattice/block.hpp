@@ -39,6 +39,16 @@ struct Block {
   Block widened() const { return {.offset = offset - 1, .size = size + 2}; }
 };
 
+/// Calls visit(cell) for all cells of a block, x fastest.
+template <class Visit>
+void for_each_cell(const Block& block, Visit&& visit) {
+  for (int z = block.offset[2]; z < block.end()[2]; ++z) {
+    for (int y = block.offset[1]; y < block.end()[1]; ++y) {
+      for (int x = block.offset[0]; x < block.end()[0]; ++x) visit(Index3(x, y, z));
+    }
+  }
+}
+
 /// Calls visit(first, end) for all runs of cells of row (y, z) outside `parts`, which are sorted by x.
 /// `cells`: length of the row.
 template <class Visit>

@@ -61,12 +61,6 @@ class Halo {
   /// or through a face perpendicular to z.
   void finish(Populations& populations);
 
-  /// Fills the complete halo.
-  void fill(Populations& populations) {
-    start(populations);
-    finish(populations);
-  }
-
   /// Returns the messages that have been sent so far.
   const Traffic& traffic() const { return traffic_; }
 

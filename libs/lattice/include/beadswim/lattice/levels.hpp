@@ -1,24 +1,63 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <set>
 #include <span>
 #include <vector>
 
-#include "beadswim/lattice/level.hpp"
-#include "beadswim/lattice/level_interface.hpp"
+#include "beadswim/core/box.hpp"
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/lattice/block.hpp"
+#include "beadswim/lattice/halo.hpp"
+#include "beadswim/lattice/populations.hpp"
 #include "beadswim/lattice/totals.hpp"
+#include "beadswim/lattice/trt.hpp"
 
 namespace beadswim {
 
-/// Returns the relaxation time tau of a level [step of the level]. The viscosity and the speed of sound are
-/// the same on all levels.
-///
-///   tau - 1/2 = (tau_finest - 1/2)/2^n
-///
-/// tau_finest: relaxation time of the finest level;  n: number of finer levels
-double relaxation_time_of_level(double finest, int finer_levels);
+/// Place of a level of cells in the box, in coordinates of its own cells.
+struct LevelPlace {
+  Block lattice;                       ///< cells of the level
+  Index3 box;                          ///< number of cells of this size along each edge of the box
+  std::array<Boundary, 3> boundary{};  ///< boundaries of the box
+
+  bool spans(int axis) const { return lattice.size[axis] == box[axis]; }
+  /// Returns the periodic image of a cell that lies in the lattice or, if there is none, an image of the cell
+  /// outside the lattice.
+  Index3 in_lattice(Index3 cell) const {
+    for (int a = 0; a < 3; ++a) {
+      if (boundary[a] != Boundary::periodic) continue;
+      const int from_first = (cell[a] - lattice.offset[a]) % box[a];
+      cell[a] = lattice.offset[a] + (from_first < 0 ? from_first + box[a] : from_first);
+    }
+    return cell;
+  }
+  /// Returns true if the lattice contains the cell or a periodic image of it.
+  bool contains(const Index3& cell) const { return lattice.contains(in_lattice(cell)); }
+  /// Returns the parts of a block of this level that lie under a finer level, in local coordinates of the
+  /// block, sorted by x: one part for each periodic image of the finer level, which may be empty.
+  std::vector<Block> parts_under(const LevelPlace& finer, const Block& block) const;
+  /// Returns true if the level is periodic along the axis.
+  bool is_periodic(int axis) const { return boundary[axis] == Boundary::periodic && spans(axis); }
+};
+
+/// Cells of one size: a box of cells, divided among all ranks, and the populations of the block of this rank.
+/// Its cells are 1 long, and its steps last 1.
+struct Level {
+  Level(const LevelPlace& place_of_level, double relaxation_time, Precision precision, HaloContent content,
+        const Communicator& communicator);
+
+  LevelPlace place;
+  Decomposition decomposition;
+  Block block;
+  Populations populations;
+  Halo halo;
+  RelaxationRates rates;
+  /// Cells of the block under the next finer level, which are not in use, in local coordinates, sorted by x.
+  std::vector<Block> refined;
+};
 
 /// Returns the places of nested levels in a box of `cells` cells of the finest level. `lattices`: the cells
 /// of each level, coarsest first.
@@ -36,6 +75,8 @@ struct BodyImpulse {
   }
 };
 
+class LevelInterface;
+
 /// The fluid on nested levels of cells. Each level has cells of half the size of the next coarser level and
 /// makes two steps in one step of it. Velocity and density have the same values on all levels, in lattice
 /// units of each level.
@@ -45,6 +86,7 @@ class Levels {
   /// relaxation time of the finest level. `content`: halo of the finest level.
   Levels(const std::vector<LevelPlace>& places, double relaxation_time, Precision precision,
          HaloContent content, const Communicator& communicator);
+  ~Levels();
 
   /// Sets the velocities of the no-slip walls at the ends of each axis, which are zero by default (lattice
   /// units).
@@ -73,9 +115,9 @@ class Levels {
   }
 
   /// Makes one step of the finest level, and the steps of coarser levels that are then due. Calls
-  /// before_row(y, z) before it sweeps a row of the finest level (StepCallbacks); it may be empty. body_force:
-  /// momentum that each cell of the finest level gains in this step. What acting_body_force() rounds off acts
-  /// in later steps.
+  /// before_row(y, z) before it sweeps a row of the finest level (StepCallbacks); it may be empty.
+  /// body_force: momentum that each cell of the finest level gains in this step. What acting_body_force()
+  /// rounds off acts in later steps.
   void step(const Vec3& body_force, const std::function<void(int y, int z)>& before_row);
 
   /// Returns the totals of this rank outside the finest level, in the form that sum_of_coarser() needs.

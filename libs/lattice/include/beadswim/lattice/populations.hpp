@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "beadswim/core/vec3.hpp"
+#include "beadswim/lattice/block.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 #include "beadswim/lattice/precision.hpp"
 
@@ -133,8 +133,6 @@ class Populations {
   /// since changed the first or last cell of a row.
   RowEnds row_ends_filled() const { return row_ends_filled_; }
 
-  /// Returns the memory that the populations occupy [byte].
-  std::size_t bytes() const { return bytes_; }
   /// Returns the memory that the populations of a block of this size occupy [byte].
   static std::size_t bytes_of(const Index3& size, Precision precision, HaloContent halo) {
     return d3q19::directions * pitches_of(size, precision, halo).direction * bytes_per_population(precision);
@@ -176,7 +174,6 @@ class Populations {
   std::array<std::array<std::ptrdiff_t, d3q19::directions>, 2> place_;
   int parity_ = 1;  ///< 0: local, 1: streamed
   RowEnds row_ends_filled_ = RowEnds::left_to_halo;
-  std::size_t bytes_;
   std::unique_ptr<void, Free> data_;
 };
 
@@ -190,12 +187,7 @@ CellMoments cell_moments(const Populations& populations, std::ptrdiff_t cell);
 /// Calls visit(local coordinates, cell index) for every cell of the block except the halo, x fastest.
 template <class Visit>
 void for_each_cell(const Populations& populations, Visit&& visit) {
-  const Index3& n = populations.size();
-  for (int z = 0; z < n[2]; ++z) {
-    for (int y = 0; y < n[1]; ++y) {
-      for (int x = 0; x < n[0]; ++x) visit(Index3(x, y, z), populations.cell(x, y, z));
-    }
-  }
+  for_each_cell(Block{.size = populations.size()}, [&](const Index3& p) { visit(p, populations.cell(p)); });
 }
 
 }  // namespace beadswim

@@ -24,7 +24,8 @@ struct FluidTotals {
   Vec3 momentum_value() const { return {momentum[0].value(), momentum[1].value(), momentum[2].value()}; }
 };
 
-/// Returns the totals over all cells of a block except the halo and the parts `skipped`, which are sorted by x.
+/// Returns the totals over all cells of a block except the halo and the parts `skipped`, which are sorted by
+/// x.
 FluidTotals block_totals(const Populations& populations, std::span<const Block> skipped = {});
 
 /// Returns the sum of the totals of all ranks, on every rank. Collective.

@@ -1,12 +1,14 @@
 #pragma once
 
-#include <memory>
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <set>
+#include <vector>
 
-#include "beadswim/core/communicator.hpp"
-#include "beadswim/core/traffic.hpp"
-#include "beadswim/lattice/level.hpp"
-#include "beadswim/lattice/totals.hpp"
+#include "beadswim/lattice/levels.hpp"
+#include "number_exchange.hpp"
+#include "populations_by_row.hpp"
 
 // Exchange of populations between two levels of cells. The fine level has cells of half the size and makes
 // two steps in one step of the coarse level. It lies inside the coarse level, on a box of whole coarse cells:
@@ -36,6 +38,71 @@ namespace beadswim {
 /// between the refined cells and their periodic image.
 constexpr int min_cells_around_level = 3;
 
+/// A population that a coarse cell sends to the fine level.
+struct CoarsePopulation {
+  double value = 0;
+  Vec3 slope = Vec3::Zero();  ///< [1/coarse cell]
+
+  /// Evaluates the population at an offset from the centre of its cell [coarse cell].
+  double at(const Vec3& offset) const {
+    return value + (offset[0] * slope[0] + offset[1] * slope[1] + offset[2] * slope[2]);
+  }
+};
+/// Places of the numbers from which a CoarsePopulation is evaluated. Along axes without a slope, `before` and
+/// `after` are equal.
+struct CoarseNumbers {
+  int centre = 0;
+  std::array<int, 3> before{}, after{};
+};
+
+/// A population that enters a fine cell.
+struct Entry {
+  int from = 0;    ///< index of the CoarsePopulation
+  int offset = 0;  ///< index in Lists::offsets
+};
+
+/// A population that enters the fine level in the first fine step, as `entry`, and leaves it in the second
+/// one, at an edge of the fine level. The coarse level also moves this population from one coarse cell to
+/// another. The fine level therefore sends only the change of the population.
+struct EdgePassage {
+  int number = 0;  ///< place in the NumberExchange of the second fine step
+  Entry entry;
+};
+
+/// Sums of the numbers that arrive in coarse cells, in the order of Lists::arrivals.
+class ArrivingSums {
+ public:
+  /// Adds a sum of the numbers at `places`, as [fine step].
+  void add(const std::array<std::vector<int>, 2>& places) {
+    for (int half = 0; half < 2; ++half) {
+      std::ranges::copy(places[half], std::back_inserter(parts_[half].places));
+      parts_[half].ends.push_back(static_cast<int>(parts_[half].places.size()));
+    }
+    sums_.push_back(0);
+  }
+
+  /// Adds the numbers of a fine step. Those of the first one replace the sums.
+  void receive(int half, const NumberExchange& numbers) {
+    const int* place = parts_[half].places.data();
+    for (std::size_t n = 0; n < sums_.size(); ++n) {
+      double sum = half == 0 ? 0 : sums_[n];
+      for (const int* end = parts_[half].places.data() + parts_[half].ends[n]; place != end; ++place)
+        sum += numbers[*place];
+      sums_[n] = sum;
+    }
+  }
+  const std::vector<double>& sums() const { return sums_; }
+
+ private:
+  /// Places of the numbers of all sums, one sum after another.
+  struct Parts {
+    std::vector<int> places;
+    std::vector<int> ends;  ///< one per sum: index in `places` after its last number
+  };
+  std::array<Parts, 2> parts_;  ///< one per fine step
+  std::vector<double> sums_;
+};
+
 /// Exchanges populations between a coarse and a fine level. In each coarse step call, in this order:
 ///
 ///   for both fine steps: begin_fine_step(); set_fine_plane() before and read_fine_plane() after each plane
@@ -52,7 +119,6 @@ class LevelInterface {
   /// if the fine level consists of incomplete coarse cells, or comes closer to the ends of the coarse level
   /// or to its own periodic image than min_cells_around_level. Collective.
   LevelInterface(const Communicator& communicator, Level& coarse, const Level& fine);
-  ~LevelInterface();
 
   /// Exchanges the populations that cross the interface in this fine step. The populations of both levels
   /// must be those after the last collision. Collective.
@@ -81,12 +147,33 @@ class LevelInterface {
   /// Returns the other ranks that exchange populations with this rank.
   std::set<int> neighbours() const;
   /// Returns the messages that have been sent so far.
-  const Traffic& traffic() const;
+  const Traffic& traffic() const { return lists_.traffic; }
 
  private:
-  struct Lists;
+  struct Lists {
+    explicit Lists(const Communicator& communicator)
+        : from_coarse(communicator), from_fine{NumberExchange(communicator), NumberExchange(communicator)} {}
+
+    NumberExchange from_coarse;               ///< own numbers: sent_by_coarse
+    std::array<NumberExchange, 2> from_fine;  ///< one per fine step; own numbers: departures
+    PopulationsByRow sent_by_coarse;          ///< outgoing populations of coarse cells
+    PopulationsByRow entries, departures;     ///< incoming and outgoing populations of fine cells
+    PopulationsByRow arrivals;                ///< incoming populations of coarse cells
+    PopulationsByRow passing_arrivals;   ///< arrivals that add to the population from another coarse cell
+    std::vector<CoarseNumbers> numbers;  ///< sources of coarse_populations
+    std::vector<CoarsePopulation> coarse_populations;
+    std::vector<Vec3> offsets;                      ///< all offsets that entries have [coarse cell]
+    std::array<std::vector<Entry>, 2> entry_lists;  ///< one per fine step, in the order of `entries`
+    std::vector<double> entering;                   ///< values of `entries` in the present fine step
+    std::vector<EdgePassage> edge_passages;
+    ArrivingSums arriving, arriving_passing;
+    int half = 0;              ///< number of fine steps done in this coarse step
+    bool has_numbers = false;  ///< the numbers of the next fine step have been read
+    Traffic traffic;
+  };
   class Search;
-  std::unique_ptr<Lists> lists_;
+
+  Lists lists_;
 };
 
 }  // namespace beadswim
