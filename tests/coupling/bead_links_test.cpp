@@ -116,7 +116,7 @@ struct Scene {
         at{.block = shape.block, .cells = lattice, .boundary = shape.boundary},
         populations(at.block.size),
         coverage(at, populations),
-        links(scheme) {
+        links(scheme, relaxation_rates(1)) {
     // Replaces scenes in which the beads overlap.
     for (unsigned other = seed + 999; !covers(); other += 3) beads = random_beads(other, shape.boundary);
     links.find(coverage);
@@ -196,7 +196,7 @@ TEST_P(BeadLinksIn, OfBeadsThatMovedAreThoseFoundAnew) {
         ASSERT_TRUE(scene.covers());
       }
       scene.links.find(scene.coverage);
-      BeadLinks anew(scene.links.scheme());
+      BeadLinks anew(scene.links.scheme(), relaxation_rates(1));
       anew.find(scene.coverage);
       ASSERT_EQ(scene.links.segments().size(), anew.segments().size()) << step;
       for (std::size_t s = 0; s < anew.segments().size(); ++s) {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "beadswim/coupling/close_beads.hpp"
-#include "beadswim/coupling/conservation.hpp"
+#include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
@@ -103,8 +103,8 @@ TEST(CloseBeads, FindEachPairOnce) {
     other.velocity = beads[1].predicted.linear;
     const Vec3 expected = near_contact_impulse(law, one, other, 5.1 * Vec3(1, -1, 1).normalized(), 1).linear;
     EXPECT_GT(expected[0], 0.1);
-    EXPECT_LT((beads[1].impulse.close_value().force - expected).norm(), 1e-12);
-    EXPECT_LT((beads[0].impulse.close_value().force + expected).norm(), 1e-12);
+    EXPECT_LT((beads[1].impulse.close.value().force - expected).norm(), 1e-12);
+    EXPECT_LT((beads[0].impulse.close.value().force + expected).norm(), 1e-12);
   }
 }
 
@@ -116,9 +116,9 @@ TEST(CloseBeads, IncludeABeadsOwnImages) {
   Coverage coverage(block.at(), block.populations);
   coverage.update(beads);
   EXPECT_NEAR(add_contact_impulses(law, coverage, beads).smallest_gap, 0.1, 1e-12);
-  EXPECT_EQ(beads[0].impulse.close_value().force, Vec3::Zero());
-  EXPECT_LT(beads[0].impulse.close_value().torque[2], -1e-4);
-  EXPECT_LT(beads[0].impulse.close_value().torque.head<2>().norm(), 1e-15);
+  EXPECT_EQ(beads[0].impulse.close.value().force, Vec3::Zero());
+  EXPECT_LT(beads[0].impulse.close.value().torque[2], -1e-4);
+  EXPECT_LT(beads[0].impulse.close.value().torque.head<2>().norm(), 1e-15);
 }
 
 TEST(CloseBeads, ReportADeepOverlap) {

@@ -1,4 +1,4 @@
-#include "beadswim/coupling/interpolated_bounce_back.hpp"
+#include "beadswim/coupling/link_laws.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 #include <random>
 
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/coupling/multireflection.hpp"
 #include "beadswim/lattice/populations.hpp"
 
 namespace beadswim {

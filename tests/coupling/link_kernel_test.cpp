@@ -1,4 +1,4 @@
-#include "link_kernel.hpp"
+#include "bead_kernels.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,25 +30,25 @@ LinkBatch random_batch(int links, unsigned seed) {
   return batch;
 }
 
-constexpr LinkBead bead{.velocity = {0.01, -0.02, 0.003},
-                        .angular_velocity = {0.001, 0.0005, -0.002},
-                        .mass_source = 1e-4,
-                        .radius = 6.5,
-                        .slip = 0.4};
+constexpr KernelBead bead{.velocity = {0.01, -0.02, 0.003},
+                          .angular_velocity = {0.001, 0.0005, -0.002},
+                          .mass_source = 1e-4,
+                          .radius = 6.5,
+                          .slip = 0.4};
 
 /// Returns the link kernels for all instruction sets that this processor supports.
-std::vector<LinkKernels> kernels() {
-  std::vector<LinkKernels> kernels{LinkKernels::baseline};
+std::vector<BeadKernels> kernels() {
+  std::vector<BeadKernels> kernels{BeadKernels::baseline};
 #ifdef BEADSWIM_ALL_INSTRUCTION_SETS
-  if (__builtin_cpu_supports("x86-64-v3")) kernels.push_back(LinkKernels::x86_64_v3);
-  if (__builtin_cpu_supports("x86-64-v4")) kernels.push_back(LinkKernels::x86_64_v4);
+  if (__builtin_cpu_supports("x86-64-v3")) kernels.push_back(BeadKernels::x86_64_v3);
+  if (__builtin_cpu_supports("x86-64-v4")) kernels.push_back(BeadKernels::x86_64_v4);
 #endif
   return kernels;
 }
 
 template <BeadScheme scheme, class Real>
 struct Kernel {
-  static bool reflect(const LinkKernels& kernels, LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+  static bool reflect(const BeadKernels& kernels, LinkBatch& batch, const KernelBead& bead, LinkSums& sums) {
     return kernels.reflect<Real>(scheme, batch, bead, sums);
   }
   using Number = Real;
@@ -72,7 +72,7 @@ TYPED_TEST(LinkKernelsOf, GiveTheSameBitsOnEveryInstructionSetAndLinkByLink) {
     for (int t = 0; t < link_terms; ++t) {
       for (int k = 0; k < links; ++k) one_by_one[t].add(expected.terms[t][k]);
     }
-    for (const LinkKernels& each : kernels()) {
+    for (const BeadKernels& each : kernels()) {
       LinkBatch batch = random_batch(links, links);
       LinkSums sums;
       sums.reserve_terms(LinkBatch::max_links / LinkSums::lanes);
@@ -94,7 +94,7 @@ TYPED_TEST(LinkKernelsOf, GiveTheSameBitsOnEveryInstructionSetAndLinkByLink) {
 // Catches a number that is not one, or is out of range, and slips into the sums.
 TYPED_TEST(LinkKernelsOf, RefuseTermsThatDoNotFitAndAddNothing) {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 2e3}) {
-    for (const LinkKernels& each : kernels()) {
+    for (const BeadKernels& each : kernels()) {
       LinkBatch batch = random_batch(20, 3);
       batch.outgoing[13] = bad;
       LinkSums sums;

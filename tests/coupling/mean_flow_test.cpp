@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "../tolerances.hpp"
-#include "beadswim/coupling/force_delay.hpp"
-#include "beadswim/coupling/gather.hpp"
 #include "scenes.hpp"
 
 namespace beadswim::test {
@@ -83,8 +81,7 @@ CoupledScene towed_sphere(BeadScheme scheme, bool corrects_delay) {
   scene.corrects_radii = true;
   scene.corrects_delay = corrects_delay;
   SwimmerType type = sphere_type(2.2);
-  if (corrects_delay)
-    static_cast<Bead&>(type.beads[0]) = with_delay_correction(type.beads[0], scene.relaxation_time);
+  if (corrects_delay) type.beads[0].density += delay_density(type.beads[0], scene.relaxation_time);
   type.driving.forces = {{.bead = 0, .direction = Vec3(0.8, 0.6, 0), .constant = force}};
   scene.types = {type};
   scene.swimmers = {{.id = 0, .type = 0, .position = Vec3(7.9, 8.2, 8.1)}};

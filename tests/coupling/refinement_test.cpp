@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 
-#include "beadswim/coupling/gather.hpp"
 #include "scenes.hpp"
 
 namespace beadswim::test {

@@ -1,4 +1,4 @@
-#include "beadswim/coupling/saturated_boundary.hpp"
+#include "beadswim/coupling/saturated_cells.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,16 +17,15 @@ constexpr double viscosity = 0.4;
 struct Scene {
   explicit Scene(const std::vector<BeadOnLattice>& beads, Precision precision)
       : populations(cells, precision),
-        saturated({.block = {.offset = Index3::Zero(), .size = cells}, .cells = cells, .boundary = {}}),
-        beads(beads),
-        sums(beads.size()) {
+        saturated({.block = {.offset = Index3::Zero(), .size = cells}, .cells = cells, .boundary = {}},
+                  viscosity),
+        beads(beads) {
     saturated.find(beads);
   }
 
   void push() {
-    SaturatedBoundary boundary{saturated, beads, sums, forces, Vec3::Zero(), viscosity};
-    for_each_row([&](int y, int z) { boundary.apply_forces_before_row(populations, y, z); });
-    transfer_impulses(sums, beads);
+    for_each_row([&](int y, int z) { saturated.apply_forces_before_row(populations, beads, y, z); });
+    saturated.transfer_impulses(beads);
   }
 
   /// Returns the momentum of all populations that stream into the cells.
@@ -60,8 +59,6 @@ struct Scene {
   Populations populations;
   SaturatedCells saturated;
   std::vector<BeadOnLattice> beads;
-  std::vector<SaturatedSums> sums;
-  std::vector<SaturatedForce> forces;
 };
 
 BeadOnLattice bead(int number, const Vec3& position, const Vec3& velocity, const Vec3& angular_velocity) {
@@ -88,14 +85,13 @@ TEST_P(SaturatedBoundaryIn, HandsOverWhatTheLatticeGivesUp) {
   std::uniform_real_distribution<double> population(-0.01, 0.01);
   Scene::for_each_row([&](int y, int z) {
     for (int x = 0; x < cells[0]; ++x) {
-      for (int i = 0; i < d3q19::directions; ++i)
-        scene.set_incoming(i, x, y, z, population(random));
+      for (int i = 0; i < d3q19::directions; ++i) scene.set_incoming(i, x, y, z, population(random));
     }
   });
   const Vec3 before = scene.incoming_momentum();
   scene.push();
   Vec3 handed = Vec3::Zero();
-  for (const BeadOnLattice& bead : scene.beads) handed += bead.impulse.value().force;
+  for (const BeadOnLattice& bead : scene.beads) handed += bead.impulse.fluid.value().force;
   EXPECT_GT(handed.norm(), 0.1);
   constexpr double roundoff = 1e-13;  // of double precision, whatever that of the populations
   EXPECT_LT((scene.incoming_momentum() - before + handed).norm(), roundoff);
@@ -108,7 +104,7 @@ TEST(SaturatedBoundary, SharedByMirroredBeadsHandsThemMirroredImpulses) {
                bead(1, Vec3(10 + 2.4, 5.3, 4.9), Vec3(-v[0], v[1], 0), Vec3::Zero())},
               Precision::fp64);
   scene.push();
-  const Load one = scene.beads[0].impulse.value(), other = scene.beads[1].impulse.value();
+  const Load one = scene.beads[0].impulse.fluid.value(), other = scene.beads[1].impulse.fluid.value();
   constexpr double roundoff = 1e-14;
   EXPECT_LT((one.force - Vec3(-other.force[0], other.force[1], other.force[2])).norm(), roundoff);
   EXPECT_LT((one.torque - Vec3(other.torque[0], -other.torque[1], -other.torque[2])).norm(), roundoff);

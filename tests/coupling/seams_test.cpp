@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/coupling/gather.hpp"
 #include "scenes.hpp"
 
 namespace beadswim::test {

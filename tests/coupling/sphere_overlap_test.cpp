@@ -84,7 +84,7 @@ TEST_P(SaturatedCellsOf, ABeadAddUpToItsVolumeAndCentre) {
       const BlockInLattice at = {.block = decomposition.block(rank),
                                  .cells = decomposition.cells(),
                                  .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic}};
-      SaturatedCells cells(at);
+      SaturatedCells cells(at, 1);
       cells.find(beads);
       for (int z = 0; z < at.block.size[2]; ++z) {
         for (int y = 0; y < at.block.size[1]; ++y) {

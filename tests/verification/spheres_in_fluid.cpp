@@ -38,11 +38,10 @@ SpheresInFluid::SpheresInFluid(const Index3& cells, double relaxation_time, Bead
       halo_(self_, decomposition_, periodic, halo_content(scheme)),
       rates_(relaxation_rates(relaxation_time)),
       coverage_(BlockInLattice{.block = {.size = cells}, .cells = cells, .boundary = periodic}, populations_),
-      links_(scheme),
-      saturated_cells_(BlockInLattice{.block = {.size = cells}, .cells = cells, .boundary = periodic}),
+      links_(scheme, rates_),
+      saturated_cells_(BlockInLattice{.block = {.size = cells}, .cells = cells, .boundary = periodic},
+                       lattice_viscosity(1 / rates_.symmetric)),
       beads_(beads_of(spheres)),
-      sums_(spheres.size()),
-      saturated_sums_(spheres.size()),
       inner_momentum_(spheres.size()),
       held_mass_(spheres.size(), 0.0) {
   coverage_.update(beads_);
@@ -76,23 +75,16 @@ void SpheresInFluid::hold_fluid_momentum(const Vec3& momentum) {
   body_force = (0.5 * (taken_ + taken_before_) + missing) / fluid_cells_;
 }
 
-/// Applies the force of spheres to the saturated cells of a row.
-void SpheresInFluid::push_row(int y, int z) {
-  SaturatedBoundary boundary{saturated_cells_,  beads_,     saturated_sums_,
-                             saturated_forces_, body_force, lattice_viscosity(1 / rates_.symmetric)};
-  boundary.apply_forces_before_row(populations_, y, z);
-}
-
 /// Returns the impulse and angular impulse that the last step transferred to a sphere.
 Load SpheresInFluid::take_load(int sphere) {
   Impulse& impulse = beads_[sphere].impulse;
-  Load load = impulse.value();
+  Load load = impulse.fluid.value();
   if (has_links(links_.scheme())) {
     held_mass_[sphere] += impulse.mass.value();
     beads_[sphere].mass_source = returned_mass(held_mass_[sphere], impulse.link_weight.value());
   } else {
     const Vec3 inner_body_force = volume_of(beads_[sphere]) * body_force;
-    Load inner = impulse.inner_value();
+    Load inner = impulse.inner.value();
     inner.force += inner_body_force;
     load.force += inner.force - inner_momentum_[sphere].force - inner_body_force;
     load.torque += inner.torque - inner_momentum_[sphere].torque;
@@ -103,19 +95,18 @@ Load SpheresInFluid::take_load(int sphere) {
 }
 
 std::vector<Load> SpheresInFluid::step() {
-  BeadBoundary boundary{coverage_, links_, beads_, rates_, sums_};
-  saturated_forces_.clear();
+  saturated_cells_.begin_step(body_force);
   const auto before_row = [&](int y, int z) {
     if (!has_links(links_.scheme()))
-      push_row(y, z);
+      saturated_cells_.apply_forces_before_row(populations_, beads_, y, z);
     else if (y == 0)
-      boundary.bounce_back_before_plane(populations_, z);
+      links_.bounce_back_before_plane(populations_, coverage_, beads_, z);
   };
   step_fluid(populations_, halo_, rates_, body_force, {.before_row = before_row});
-  transfer_impulses(sums_, beads_);
-  transfer_impulses(saturated_sums_, beads_);
+  links_.transfer_impulses(beads_);
+  saturated_cells_.transfer_impulses(beads_);
   force_on_fluid_part_ = Vec3::Zero();
-  for (const SaturatedForce& cell : saturated_forces_)
+  for (const SaturatedForce& cell : saturated_cells_.forces())
     force_on_fluid_part_ += cell.fluid_fraction * cell.force;
 
   fluid_momentum_ += fluid_cells_ * body_force;
@@ -133,8 +124,7 @@ void SpheresInFluid::move() {
   const std::vector<BeadOnLattice> before = beads_;
   for (BeadOnLattice& bead : beads_) bead.motion.position += bead.motion.velocity;
   coverage_.update(beads_);
-  if (has_links(links_.scheme()))
-    transfer_changed_cells(populations_, coverage_, links_, before, beads_, rates_);
+  if (has_links(links_.scheme())) links_.transfer_changed_cells(populations_, coverage_, before, beads_);
   place_spheres();
 }
 
@@ -149,7 +139,7 @@ CellMoments SpheresInFluid::counted_fluid() const {
   });
   for (const BeadOnLattice& bead : beads_) {  // handed over by the last move, not yet returned by step()
     sum.density_deviation += bead.impulse.mass.value();
-    sum.momentum += bead.impulse.value().force;
+    sum.momentum += bead.impulse.fluid.value().force;
   }
   for (const Load& inner : inner_momentum_) {
     if (!by_links) sum.momentum -= inner.force;

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/coupling/bead_boundary.hpp"
-#include "beadswim/coupling/saturated_boundary.hpp"
+#include "beadswim/coupling/bead_links.hpp"
+#include "beadswim/coupling/saturated_cells.hpp"
 #include "beadswim/lattice/block.hpp"
 #include "beadswim/lattice/fluid_step.hpp"
 
@@ -71,7 +71,6 @@ class SpheresInFluid {
   double volume() const { return cells_.cast<double>().prod(); }
 
  private:
-  void push_row(int y, int z);
   void place_spheres();
   Load take_load(int sphere);
 
@@ -85,12 +84,9 @@ class SpheresInFluid {
   BeadLinks links_;
   SaturatedCells saturated_cells_;
   std::vector<BeadOnLattice> beads_;
-  std::vector<LinkSums> sums_;
-  std::vector<SaturatedSums> saturated_sums_;
-  std::vector<SaturatedForce> saturated_forces_;  ///< of the last step
-  std::vector<Load> inner_momentum_;              ///< momentum of the fluid in each sphere (psm)
-  Vec3 force_on_fluid_part_ = Vec3::Zero();       ///< force on the fluid outside the spheres (psm)
-  std::vector<double> held_mass_;                 ///< one element per bead
+  std::vector<Load> inner_momentum_;         ///< momentum of the fluid in each sphere (psm)
+  Vec3 force_on_fluid_part_ = Vec3::Zero();  ///< force on the fluid outside the spheres (psm)
+  std::vector<double> held_mass_;            ///< one element per bead
   Vec3 fluid_momentum_ = Vec3::Zero();
   Vec3 taken_ = Vec3::Zero(), taken_before_ = Vec3::Zero();  ///< impulses to spheres, last two steps
   double fluid_cells_ = 0;

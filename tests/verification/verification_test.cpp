@@ -3,7 +3,7 @@
 #include <map>
 
 #include "array_drag.hpp"
-#include "beadswim/coupling/hydrodynamic_radius.hpp"
+#include "beadswim/coupling/bead_corrections.hpp"
 #include "cases.hpp"
 #include "records.hpp"
 #include "references.hpp"
@@ -83,14 +83,14 @@ TEST_P(RadiusCorrection, BringsTheDragToThatOfTheRadius) {
   EXPECT_NEAR(corrected * drag / (radius * cubic_array_drag(phi)), 1, bound);
 }
 
-TEST(RadiusCorrection, UndoesTheExcessAndGoesOnBeyondTheTable) {
+TEST(RadiusCorrection, GrowsWithTheRadiusAndIsConstantBeyondTheTable) {
   for (const BeadScheme scheme : all_values<BeadScheme>) {
     for (double radius = 1.1; radius < 30; radius += 0.37) {
-      const double corrected = corrected_radius(scheme, radius);
-      EXPECT_NEAR(corrected + excess_radius(scheme, corrected), radius, 1e-12);
+      EXPECT_GT(corrected_radius(scheme, radius + 0.37), corrected_radius(scheme, radius));
     }
-    EXPECT_EQ(excess_radius(scheme, 1), excess_radius(scheme, 1.5));
-    EXPECT_EQ(excess_radius(scheme, 25), excess_radius(scheme, 12));
+    const auto excess = [&](double radius) { return radius - corrected_radius(scheme, radius); };
+    EXPECT_NEAR(excess(1.2), excess(1.4), 1e-12);
+    EXPECT_NEAR(excess(25), excess(12.5), 1e-12);
   }
 }
 
@@ -101,9 +101,8 @@ TEST(RadiusCorrection, IsThatOfTheStoredRecords) {
     if (record["case"] != "hydrodynamic-radius") continue;
     const BeadScheme scheme = from_text<BeadScheme>(record["scheme"].get<std::string>());
     constexpr double last_digit = 1e-4;
-    EXPECT_NEAR(excess_radius(scheme, record["radius"].get<double>()), record["excess"].get<double>(),
-                0.51 * last_digit)
-        << record;
+    const double radius = record["radius"], excess = record["excess"];
+    EXPECT_NEAR(corrected_radius(scheme, radius + excess), radius, 0.61 * last_digit) << record;
     ++compared;
   }
   EXPECT_GT(compared, 60);

@@ -165,7 +165,7 @@ LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const Scene
       .plane_factor = largest_plane_factor(on_lattice.scene),
       .timing = {.step = scales.time / facts.units.time,
                  .sound_speed = scales.velocity() / facts.units.velocity() / std::numbers::sqrt3,
-                 .corrects_delay = on_lattice.corrects_delay}};
+                 .corrects_delay = on_lattice.scene.corrects_delay}};
   const auto by_resolution = [&](const SwimmerFacts& swimmer_facts) {
     if (!swimmer_facts.lag)
       throw InputError(

@@ -98,6 +98,7 @@ void BeadLinks::find(const Coverage& coverage) {
   const std::vector<CoveredImage>& images = coverage.images().images;
   const std::vector<bool> alone = images_alone(coverage, 1 + cells_behind(scheme_));
   images_.resize(images.size());
+  sums_.resize(images.empty() ? 0 : images.back().bead + 1);
   for (std::size_t i = 0; i < images.size(); ++i) find_of_image(coverage, images[i], alone[i], images_[i]);
   sort_by_plane();
 }
@@ -112,44 +113,42 @@ void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& cove
     return run >= 0 && known.runs[run] != runs[run];
   };
 
-  found_.clear();
-  first_found_.clear();
-  plane_found_.clear();
+  found_.links.clear();
+  found_.first_of_segment.clear();
+  found_.plane_of_segment.clear();
   LinkFinder finder{.coverage = coverage,
                     .covered = covered,
                     .is_alone = is_alone,
                     .cells_behind = cells_behind(scheme_),
-                    .links = found_};
+                    .links = found_.links};
   const BeadImage& box = covered.image;
   for (int z = box.low[2] - 1; z <= box.high[2]; ++z) {
     for (int y = box.low[1] - 1; y <= box.high[1]; ++y) {
-      const std::size_t first = found_.size();
-      first_found_.push_back(static_cast<int>(first));
+      const auto first = std::ssize(found_.links);
+      found_.first_of_segment.push_back(static_cast<int>(first));
       const bool kept = keep && std::ranges::none_of(steps_to_rows, [&](const auto& step) {
                           return changed(y + step[0], z + step[1]);
                         });
       if (kept) {
         const int segment = known.segment(y, z);
-        found_.insert(found_.end(), known.links.begin() + known.first_of_segment[segment],
-                      known.links.begin() + known.first_of_segment[segment + 1]);
-        plane_found_.push_back(known.plane_of_segment[segment]);
+        found_.links.insert(found_.links.end(), known.links.begin() + known.first_of_segment[segment],
+                            known.links.begin() + known.first_of_segment[segment + 1]);
+        found_.plane_of_segment.push_back(known.plane_of_segment[segment]);
         continue;
       }
       for (const auto& [cy, cz] : steps_to_rows) finder.add(y - cy, z - cz, cy, cz);
-      const std::span links(found_.begin() + first, found_.end());
+      const std::span links(found_.links.begin() + first, found_.links.end());
       std::ranges::sort(links, {}, [](const BeadLink& link) {
         return std::pair(link.from_low[0] + d3q19::velocity[link.out][0], int{link.out});
       });
-      plane_found_.push_back(plane_before(z, links));
+      found_.plane_of_segment.push_back(plane_before(z, links));
     }
   }
-  first_found_.push_back(static_cast<int>(found_.size()));
-  known.box = covered.image;
-  known.is_alone = is_alone;
-  known.runs.assign(runs.begin(), runs.end());
-  known.first_of_segment.swap(first_found_);
-  known.plane_of_segment.swap(plane_found_);
-  known.links.swap(found_);
+  found_.first_of_segment.push_back(static_cast<int>(found_.links.size()));
+  found_.box = covered.image;
+  found_.is_alone = is_alone;
+  found_.runs.assign(runs.begin(), runs.end());
+  std::swap(known, found_);
 }
 
 /// Returns the number in the sweep order of the plane, among all planes whose populations the links of fluid

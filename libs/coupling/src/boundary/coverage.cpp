@@ -7,11 +7,16 @@
 namespace beadswim {
 namespace {
 
+/// Returns r^2 - R^2, where r is the distance of a cell from the centre of the bead and R the radius of the
+/// bead. The result is negative inside the bead.
+double power(const CoveredImage& covered, int x, int y, int z) {
+  return covered.from_centre(x, y, z).squaredNorm() - covered.radius * covered.radius;
+}
+
 /// Returns the cells of row (y, z) whose centres lie inside the bead. They are consecutive, because a sphere
 /// is convex.
 CoveredRun covered_run(const CoveredImage& covered, int y, int z) {
-  const double radius_squared = covered.radius * covered.radius;
-  const auto is_inside = [&](int x) { return covered.from_centre(x, y, z).squaredNorm() < radius_squared; };
+  const auto is_inside = [&](int x) { return power(covered, x, y, z) < 0; };
   CoveredRun run{.low = covered.image.low[0], .high = covered.image.high[0]};
   while (run.low < run.high && !is_inside(run.low)) ++run.low;
   while (run.low < run.high && !is_inside(run.high - 1)) --run.high;
@@ -32,12 +37,6 @@ std::vector<ImagePair> find_close_pairs(const std::vector<CoveredImage>& images)
     }
   }
   return pairs;
-}
-
-/// Returns r^2 - R^2, where r is the distance of a cell from the centre of the bead and R the radius of the
-/// bead. The result is negative inside the bead.
-double power(const CoveredImage& covered, int x, int y, int z) {
-  return covered.from_centre(x, y, z).squaredNorm() - covered.radius * covered.radius;
 }
 
 /// Divides the cells of row (y, z) that lie inside both beads between the runs of the two beads. A plane
@@ -141,9 +140,12 @@ void Coverage::find_runs(std::span<const BeadOnLattice> beads) {
 void Coverage::part(const CoveredImage& first, const CoveredImage& second) {
   const BeadImage &a = first.image, &b = second.image;
   if (!are_close(a, b, 0)) return;
+  const auto run = [&](const CoveredImage& covered, int y, int z) -> CoveredRun& {
+    return now_.runs[covered.first_run + CoveredImages::run_index(covered, y, z)];
+  };
   for (int z = std::max(a.low[2], b.low[2]); z < std::min(a.high[2], b.high[2]); ++z) {
     for (int y = std::max(a.low[1], b.low[1]); y < std::min(a.high[1], b.high[1]); ++y)
-      part_row(first, now_.run_within(first, y, z), second, now_.run_within(second, y, z), y, z);
+      part_row(first, run(first, y, z), second, run(second, y, z), y, z);
   }
 }
 

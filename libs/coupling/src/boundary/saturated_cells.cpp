@@ -22,13 +22,15 @@ Distances squared_distances(double low) {
 
 }  // namespace
 
-SaturatedCells::SaturatedCells(const BlockInLattice& lattice_block)
+SaturatedCells::SaturatedCells(const BlockInLattice& lattice_block, double viscosity)
     : block_in_lattice_(lattice_block),
-      first_of_row_(lattice_block.block.size[1] * lattice_block.block.size[2] + 1, 0) {}
+      first_of_row_(lattice_block.block.size[1] * lattice_block.block.size[2] + 1, 0),
+      viscosity_(viscosity) {}
 
 void SaturatedCells::find(std::span<const BeadOnLattice> beads) {
   found_.clear();
   fractions_.clear();
+  sums_.resize(beads.size());
   for (int b = 0; b < std::ssize(beads); ++b) {
     const Vec3& centre = beads[b].motion.position;
     // for_each_image() finds cells whose centre lies within the radius. A bead also touches cells whose

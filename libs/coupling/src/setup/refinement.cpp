@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/coupling/swimmer_snapshot.hpp"
 #include "beadswim/lattice/levels.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
@@ -25,19 +24,12 @@ int distance_to_interface(const CoupledScene& scene) {
   return distance;
 }
 
-int floor_to_even(double x) {
-  return 2 * static_cast<int>(std::floor(x / 2));
-}
-int ceil_to_even(double x) {
-  return 2 * static_cast<int>(std::ceil(x / 2));
-}
-
-/// Places a level along one axis so that it contains [low, high], with cells_around_level coarser cells to its
-/// own image. `cells`: cells of the box of this size. Returns false if a wall is in the way.
+/// Places a level along one axis so that it contains [low, high], with cells_around_level coarser cells to
+/// its own image. `cells`: cells of the box of this size. Returns false if a wall is in the way.
 bool place_along(int axis, const Index3& cells, Boundary boundary, double low, double high, Block& level) {
   constexpr int room = 2 * cells_around_level;
-  level.offset[axis] = floor_to_even(low);
-  level.size[axis] = ceil_to_even(high) - level.offset[axis];
+  level.offset[axis] = 2 * static_cast<int>(std::floor(low / 2));
+  level.size[axis] = 2 * static_cast<int>(std::ceil(high / 2)) - level.offset[axis];
   if (boundary == Boundary::periodic) {
     if (level.size[axis] + room <= cells[axis]) return true;
     level.offset[axis] = 0;
@@ -95,13 +87,6 @@ double mean_per_step(const std::vector<Block>& levels, Amount&& amount) {
   for (std::size_t n = 0; n < levels.size(); ++n)
     sum += std::ldexp(amount(n), static_cast<int>(n + 1) - static_cast<int>(levels.size()));
   return sum;
-}
-
-/// Returns the snapshots of all swimmers on every rank. Collective.
-std::vector<SwimmerSnapshot> share_snapshots(CoupledSystem& system, const Communicator& communicator) {
-  std::vector<char> bytes = bytes_of(system.gather_snapshots());
-  broadcast(bytes, communicator);
-  return snapshots_from_bytes(std::move(bytes));
 }
 
 }  // namespace
@@ -196,7 +181,9 @@ std::unique_ptr<CoupledSystem> with_levels_around_beads(CoupledSystem& system,
   } catch (const InputError&) {  // on all ranks: they cannot share levels of this size
     return nullptr;
   }
-  next->restore(system.progress(), share_snapshots(system, communicator),
+  std::vector<char> swimmers = bytes_of(system.gather_snapshots());
+  broadcast(swimmers, communicator);
+  next->restore(system.progress(), states_from_bytes<SwimmerSnapshot>(std::move(swimmers)),
                 [&](Levels& fluid) { transfer(system.levels(), fluid, communicator); });
   return next;
 }

@@ -11,7 +11,6 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/bead_exchange.hpp"
-#include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/lattice/trt.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
@@ -76,7 +75,7 @@ void require_viscosity(BeadScheme scheme, double relaxation_time) {
                                min_stable_relaxation_time, Setting::bead_boundary));
 }
 
-/// Throws InputError near the relaxation time at which multireflection is undefined (multireflection.hpp).
+/// Throws InputError near the relaxation time at which multireflection is undefined (link_laws.hpp).
 void require_slip(BeadScheme scheme, double relaxation_time) {
   constexpr double nearest = 1e-4;
   const double antisymmetric_time = 1 / relaxation_rates(relaxation_time).antisymmetric;
@@ -148,15 +147,9 @@ void require_slow_flow(const CoupledScene& scene, double relaxation_time, const 
                   speed, max_flow_speed, Setting::relaxation_time, Setting::cells_per_radius));
 }
 
-/// Returns the delay of the force of the fluid on a bead as a phase [rad] of a motion with the period
-/// `period` [step].
-double phase_of_delay(const LatticeChoice& lattice, double period) {
-  return 2 * std::numbers::pi * force_delay(lattice.relaxation_time) / period;
-}
-
 /// Returns the lattice for a layout. Throws InputError if beads are too small or time steps too long.
 LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, double period, long multiple) {
-  constexpr double latest = 0.3;  // largest permitted phase of the delay [rad]
+  constexpr double latest = 0.3;  // largest permitted delay of the force of the fluid, as a phase [rad]
   const LatticeChoice lattice =
       choose_lattice(smallest_radius(layout), resolution, layout.fluid, period, multiple);
   if (resolution.cells_per_radius < smallest_bead) {
@@ -165,7 +158,8 @@ LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, do
                                  "cells per radius, or 3 or more to resolve the beads",
                                  resolution.cells_per_radius, smallest_bead));
   }
-  const double steps = shortest_period(layout) / lattice.scales.time, late = phase_of_delay(lattice, steps);
+  const double steps = shortest_period(layout) / lattice.scales.time;
+  const double late = 2 * std::numbers::pi * force_delay(lattice.relaxation_time) / steps;
   if (late <= latest) return lattice;
   throw InputError(
       Setting::relaxation_time,
@@ -176,19 +170,15 @@ LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, do
                   Setting::cells_per_radius));
 }
 
-SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattice, bool corrects_delay) {
-  SwimmerType result = in_units(type, lattice.scales);
-  if (corrects_delay) {
-    for (Bead& bead : result.beads) bead = with_delay_correction(bead, lattice.relaxation_time);
-  }
-  return result;
-}
-
 /// Adds the swimmers of the layout and their types to the scene, in lattice units.
 void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeChoice& lattice,
                   bool corrects_delay) {
   Swarm swarm = placed_swimmers(layout);
-  for (SwimmerType& type : swarm.types) type = type_on_lattice(type, lattice, corrects_delay);
+  for (SwimmerType& type : swarm.types) {
+    type = in_units(type, lattice.scales);
+    for (Bead& bead : type.beads)
+      if (corrects_delay) bead.density += delay_density(bead, lattice.relaxation_time);
+  }
   for (PlacedSwimmer& swimmer : swarm.swimmers) swimmer.position /= lattice.scales.length;
   static_cast<Swarm&>(scene) = std::move(swarm);
 }
@@ -228,6 +218,18 @@ std::vector<Block> chosen_levels(const CoupledScene& scene, const std::optional<
 }
 
 }  // namespace
+
+LatticeChoice choose_lattice(double radius, const Resolution& resolution, const Fluid& fluid, double period,
+                             long multiple) {
+  const double cell = radius / resolution.cells_per_radius, nu = fluid.kinematic_viscosity;
+  const double viscous_step = lattice_viscosity(resolution.relaxation_time) * cell * cell / nu;
+  const long steps =
+      multiple * std::max(1L, std::lround(period / viscous_step / static_cast<double>(multiple)));
+  const double step = period / static_cast<double>(steps);
+  return {.scales = {.length = cell, .time = step, .density = fluid.density},
+          .relaxation_time = relaxation_time_of(nu * step / (cell * cell)),
+          .steps_per_period = steps};
+}
 
 double SceneOnLattice::angular_softening() const {
   double smallest = 1;
@@ -290,7 +292,6 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
     }
     type = steady;
   }
-  result.corrects_delay = settings.delay_correction;
   result.smallest_gap = smallest_gap(placed_beads(layout), layout.domain) / scales.length;
   return result;
 }

@@ -41,6 +41,14 @@ double max_touched_distance(const CoupledScene& scene) {
   return farthest + margin + 1;
 }
 
+/// Returns true if an image of the bead may cover a cell of the block or of the `margin` layers around it.
+bool touches(const BlockInLattice& lattice_block, const BeadOnLattice& bead) {
+  bool is_found = false;
+  for_each_image(lattice_block, margin, bead.motion.position, bead.radius,
+                 [&](const BeadImage&) { is_found = true; });
+  return is_found;
+}
+
 /// Returns true if the distance of two blocks is at most `distance` along every axis [cell].
 bool within(const BlockInLattice& a, const BlockInLattice& b, double distance) {
   const Vec3 centre = (b.block.offset.cast<double>() + 0.5 * b.block.size.cast<double>()).matrix();
@@ -113,12 +121,36 @@ std::optional<Fault> BeadExchange::position_fault(const SwimmerState& swimmer) c
 }
 
 std::vector<BeadOnLattice> BeadExchange::publish(std::vector<SwimmerState>& owned) {
-  Buffers to_peers(peers_.size());
   std::vector<SwimmerState> staying;
+  std::vector<std::vector<const SwimmerState*>> departing(peers_.size());
+  std::vector<OutgoingMessage> beads_nearby(peers_.size());
   for (const SwimmerState& swimmer : owned) {
-    if (owner_of(swimmer.middle()) == rank_) staying.push_back(swimmer);
+    const int owner = owner_of(swimmer.middle());
+    if (owner == rank_) staying.push_back(swimmer);
+    for (std::size_t p = 0; p < peers_.size(); ++p)
+      if (peers_[p] == owner && owner != rank_) departing[p].push_back(&swimmer);
+    for (int b = 0; b < std::ssize(swimmer.motion); ++b) {
+      const BeadOnLattice bead{.name = {swimmer.id, b},
+                               .owner = owner,
+                               .radius = radii_[swimmer.type][b],
+                               .motion = swimmer.motion[b],
+                               .body = types_[swimmer.type].beads[b],
+                               .predicted = swimmer.predicted[b],
+                               .removed_fraction = swimmer.removed_fraction[b],
+                               .mass_source = swimmer.mass_source[b],
+                               .impulse = {}};
+      for (std::size_t p = 0; p < peers_.size(); ++p)
+        if (touches(blocks_[peers_[p]], bead)) beads_nearby[p](bead);
+    }
   }
-  for (std::size_t p = 0; p < peers_.size(); ++p) to_peers[p] = announcement(owned, peers_[p]);
+  Buffers to_peers;
+  for (std::size_t p = 0; p < peers_.size(); ++p) {
+    OutgoingMessage message;
+    message(static_cast<int>(departing[p].size()));
+    for (const SwimmerState* swimmer : departing[p]) message(*swimmer);
+    message.append(beads_nearby[p]);
+    to_peers.push_back(message.bytes());
+  }
   owned = std::move(staying);
 
   std::vector<BeadOnLattice> beads;
@@ -132,32 +164,6 @@ std::vector<BeadOnLattice> BeadExchange::publish(std::vector<SwimmerState>& owne
   std::ranges::sort(owned, {}, &SwimmerState::id);
   std::ranges::sort(beads, {}, &BeadOnLattice::name);
   return beads;
-}
-
-std::vector<char> BeadExchange::announcement(const std::vector<SwimmerState>& owned, int peer) const {
-  std::vector<const SwimmerState*> departing;
-  OutgoingMessage beads;
-  for (const SwimmerState& swimmer : owned) {
-    const int owner = owner_of(swimmer.middle());
-    if (owner == peer && owner != rank_) departing.push_back(&swimmer);
-    for (int b = 0; b < std::ssize(swimmer.motion); ++b) {
-      const BeadOnLattice bead{.name = {swimmer.id, b},
-                               .owner = owner,
-                               .radius = radii_[swimmer.type][b],
-                               .motion = swimmer.motion[b],
-                               .body = types_[swimmer.type].beads[b],
-                               .predicted = swimmer.predicted[b],
-                               .removed_fraction = swimmer.removed_fraction[b],
-                               .mass_source = swimmer.mass_source[b],
-                               .impulse = {}};
-      if (touches(blocks_[peer], margin, bead.motion.position, bead.radius)) beads(bead);
-    }
-  }
-  OutgoingMessage message;
-  message(static_cast<int>(departing.size()));
-  for (const SwimmerState* swimmer : departing) message(*swimmer);
-  message.append(beads);
-  return message.bytes();
 }
 
 std::map<BeadName, Impulse> BeadExchange::collect(std::span<const BeadOnLattice> beads) {

@@ -1,6 +1,7 @@
 #include "beadswim/coupling/close_beads.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "beadswim/lattice/trt.hpp"
@@ -22,10 +23,7 @@ CloseBead close_bead(const BeadOnLattice& bead) {
 
 void add_close_impulse(BeadOnLattice& bead, const Vec3& linear, const Vec3& angular,
                        double removed_fraction) {
-  for (int a = 0; a < 3; ++a) {
-    bead.impulse.close_linear[a].add(linear[a]);
-    bead.impulse.close_angular[a].add(angular[a]);
-  }
+  bead.impulse.close.add(linear, angular);
   bead.impulse.removed_fraction.add(removed_fraction);
 }
 
@@ -49,21 +47,12 @@ std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, con
 
 LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius) {
   constexpr double roughness = 1e-3;  // height of the roughness, divided by the smallest radius
-  const auto range = [&](double normal, double tangential) {
-    return LubricationRange{
-        .normal = normal, .tangential = tangential, .smallest = roughness * smallest_radius};
+  struct Cutoffs {
+    double normal, tangential;
   };
-  switch (scheme) {
-    case BeadScheme::staircase:
-    case BeadScheme::cli:
-      return range(0.65, 0.6);
-    case BeadScheme::mr:
-      return range(0.6, 0.5);
-    case BeadScheme::psm:
-      return range(0.6, 0.2);
-  }
-  throw SolverError(
-      "the bead boundary has an unknown value; this is a fault of the program, please report it");
+  constexpr std::array<Cutoffs, 4> of_scheme{{{0.65, 0.6}, {0.65, 0.6}, {0.6, 0.5}, {0.6, 0.2}}};
+  const auto [normal, tangential] = of_scheme[static_cast<std::size_t>(scheme)];
+  return {.normal = normal, .tangential = tangential, .smallest = roughness * smallest_radius};
 }
 
 NearContactLaw near_contact_law(const CoupledScene& scene) {

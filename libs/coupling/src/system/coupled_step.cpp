@@ -1,10 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "beadswim/coupling/bead_boundary.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
-#include "beadswim/coupling/saturated_boundary.hpp"
-#include "beadswim/lattice/fluid_step.hpp"
 
 // One time step of the coupled method. The populations are stored after the collision at time n; a step
 // advances fluid and beads from n to n + 1. See docs/method/momentum-exchange.md, staircase-beads.md,
@@ -39,13 +36,8 @@ void predict(SwimmerState& swimmer, const SwimmerMotion& before, const SwimmerLo
 }  // namespace
 
 void CoupledSystem::step() {
-  ++steps_done_;  // the new number is valid at the end of this step
-  // Fluid: applies the boundary conditions at halo, walls and beads, then streams and collides, row by row.
-  if (has_links(scene_.bead_boundary)) {
-    step_fluid_with_links();
-  } else {
-    step_fluid_with_saturated_cells();
-  }
+  ++progress_.steps_done;  // the new number is valid at the end of this step
+  advance_fluid();
 
   // Beads: sends the impulses to the owners of the swimmers. The owners advance the swimmers and send the
   // beads to the ranks near them.
@@ -61,45 +53,31 @@ void CoupledSystem::step() {
 
   // Transfers the momentum of cells that beads have covered or uncovered. Prepares links (or, with psm,
   // saturated cells) and close pairs for the next step.
-  Level& fluid = levels_.finest();
   if_state_is_finite([&] {
     coverage_.update(beads_);
-    if (has_links(scene_.bead_boundary))
-      transfer_changed_cells(fluid.populations, coverage_, links_, beads_before_, beads_, fluid.rates);
+    if (has_links())
+      links_.transfer_changed_cells(levels_.finest().populations, coverage_, beads_before_, beads_);
     find_links_and_contacts();
   });
   balance_net_force();
 }
 
-void CoupledSystem::step_fluid_with_links() {
-  link_sums_.resize(beads_.size());
-  Level& fluid = levels_.finest();
-  BeadBoundary boundary{
-      .coverage = coverage_, .links = links_, .beads = beads_, .rates = fluid.rates, .sums = link_sums_};
-  levels_.step(body_force_, [&](int y, int z) {
-    if (y > 0) return;
-    if_state_is_finite([&] { boundary.bounce_back_before_plane(fluid.populations, z); });
+/// Applies the boundary conditions at halo, walls and beads, then streams and collides, row by row.
+void CoupledSystem::advance_fluid() {
+  Populations& fluid = levels_.finest().populations;
+  saturated_cells_.begin_step(progress_.body_force);
+  levels_.step(progress_.body_force, [&](int y, int z) {
+    if (has_links() && y > 0) return;
+    if_state_is_finite([&] {
+      has_links() ? links_.bounce_back_before_plane(fluid, coverage_, beads_, z)
+                  : saturated_cells_.apply_forces_before_row(fluid, beads_, y, z);
+    });
   });
   if_state_is_finite([&] {
-    transfer_impulses(link_sums_, beads_);
-    add_body_force_on_beads();
+    links_.transfer_impulses(beads_);
+    saturated_cells_.transfer_impulses(beads_);
+    if (has_links()) add_body_force_on_beads();
   });
-}
-
-void CoupledSystem::step_fluid_with_saturated_cells() {
-  saturated_sums_.resize(beads_.size());
-  saturated_forces_.clear();
-  SaturatedBoundary boundary{.cells = saturated_cells_,
-                             .beads = beads_,
-                             .sums = saturated_sums_,
-                             .forces = saturated_forces_,
-                             .body_force = body_force_,
-                             .viscosity = lattice_viscosity(scene_.relaxation_time)};
-  Level& fluid = levels_.finest();
-  levels_.step(body_force_, [&](int y, int z) {
-    if_state_is_finite([&] { boundary.apply_forces_before_row(fluid.populations, y, z); });
-  });
-  if_state_is_finite([&] { transfer_impulses(saturated_sums_, beads_); });
 }
 
 void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses) {
@@ -110,9 +88,9 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
     SwimmerLoads loads(beads), close(beads);
     for (int b = 0; b < beads; ++b) {
       const Impulse& received = impulses.at({swimmer.id, b});
-      Load impulse = received.value();
-      add_change(impulse, swimmer.inner_momentum[b], received.inner_value());
-      close[b] = received.close_value();
+      Load impulse = received.fluid.value();
+      add_change(impulse, swimmer.inner_momentum[b], received.inner.value());
+      close[b] = received.close.value();
       loads[b].force = 0.5 * (swimmer.last_impulse[b].force + impulse.force);
       loads[b].torque = 0.5 * (swimmer.last_impulse[b].torque + impulse.torque);
       swimmer.last_impulse[b] = impulse;
@@ -129,7 +107,7 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
     }
     const SwimmerMotion before = swimmer.motion;
     advance_swimmer(swimmer.motion, type, swimmer.orientation_at_start(), loads,
-                    static_cast<double>(steps_done_ - 1), 1, substeps_[swimmer.type]);
+                    static_cast<double>(progress_.steps_done - 1), 1, substeps_[swimmer.type]);
     if (std::optional<Fault> fault = fault_of(swimmer)) {
       record_fault(*fault);
       swimmer.motion = before;  // keeps positions valid until all ranks stop, some steps later
@@ -145,14 +123,14 @@ void CoupledSystem::add_driving_impulse(const SwimmerMotion& now, const SwimmerM
                                         const SwimmerLoads& loads, const SwimmerType& type) {
   for (std::size_t b = 0; b < now.size(); ++b) {
     const Vec3 gained = mass(type.beads[b]) * (now[b].velocity - before[b].velocity);
-    driving_impulse_.add({.density_deviation = 0, .momentum = gained - loads[b].force});
+    driving_impulse_.add({.momentum = gained - loads[b].force});
   }
 }
 
 void CoupledSystem::balance_net_force() {
   if (!has_net_force_) return;
   constexpr double removed_part = 0.1;  // of the momentum, in one step
-  // Momentum of fluid and beads without the fluid, whose momentum is unbalanced_ - bead_totals().
+  // Momentum of fluid and beads without the fluid, whose momentum is progress_.unbalanced - bead_totals().
   FluidTotals without_fluid;
   if_state_is_finite([&] {
     without_fluid = volume_of_beads();
@@ -165,31 +143,26 @@ void CoupledSystem::balance_net_force() {
   const double volume = scene_.cells.cast<double>().prod();
   for (int a = 0; a < 3; ++a) {
     if (scene_.boundary[a] != Boundary::periodic) continue;
-    unbalanced_[a] += impulse[a] + volume * body_force_[a];
-    body_force_[a] = -(impulse[a] + removed_part * (unbalanced_[a] + rest[a])) / volume;
+    progress_.unbalanced[a] += impulse[a] + volume * progress_.body_force[a];
+    progress_.body_force[a] = -(impulse[a] + removed_part * (progress_.unbalanced[a] + rest[a])) / volume;
   }
 }
 
 void CoupledSystem::add_body_force_on_beads() {
   const Vec3 acted = levels_.body_impulses().back().acted;
   if (acted == Vec3::Zero()) return;
-  coverage_.for_each_own_covered_cell([&](std::ptrdiff_t, int bead, const Vec3&) {
-    for (int a = 0; a < 3; ++a) beads_[bead].impulse.linear[a].add(acted[a]);
-  });
+  coverage_.for_each_own_covered_cell(
+      [&](std::ptrdiff_t, int bead, const Vec3&) { beads_[bead].impulse.fluid.add(acted, Vec3::Zero()); });
 }
 
 void CoupledSystem::find_links_or_saturated_cells() {
-  if (has_links(scene_.bead_boundary)) {
-    links_.find(coverage_);
-  } else {
-    saturated_cells_.find(beads_);
-  }
+  has_links() ? links_.find(coverage_) : saturated_cells_.find(beads_);
 }
 
 void CoupledSystem::find_links_and_contacts() {
   find_links_or_saturated_cells();
   const CloseBeads close = add_contact_impulses(near_contact_, coverage_, beads_);
-  if (!fault_) smallest_gap_ = std::min(smallest_gap_, close.smallest_gap);
+  if (!fault_) progress_.smallest_gap = std::min(progress_.smallest_gap, close.smallest_gap);
   if (close.overlap) record_fault(*close.overlap);
 }
 

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/message.hpp"
-#include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
@@ -48,11 +45,10 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
       exchange_(communicator, levels_.finest().decomposition, scene_),
       near_contact_(near_contact_law(scene_)),
       coverage_(in_box(levels_.finest()), levels_.finest().populations),
-      links_(scene.bead_boundary),
-      saturated_cells_(in_box(levels_.finest())),
-      smallest_gap_(std::numeric_limits<double>::infinity()) {
+      links_(scene.bead_boundary, levels_.finest().rates),
+      saturated_cells_(in_box(levels_.finest()), lattice_viscosity(scene.relaxation_time)) {
   levels_.set_wall_velocities(scene_.walls);
-  body_force_ = scene_.body_force;
+  progress_.body_force = scene_.body_force;
   has_net_force_ = needs_balance(scene_);
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
   const std::vector<Vec3> places = start_positions(scene_);
@@ -74,7 +70,8 @@ std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
     const BeadMotion& motion = swimmer.motion[b];
     const double speed = motion.velocity.norm() + bodies[b].radius * motion.angular_velocity.norm();
     if (speed <= speed_limit) {
-      if (!fault_) largest_bead_speed_ = std::max(largest_bead_speed_, motion.velocity.norm());
+      if (!fault_)
+        progress_.largest_bead_speed = std::max(progress_.largest_bead_speed, motion.velocity.norm());
       continue;
     }
     return Fault{.kind = std::isfinite(speed) ? FaultKind::speed : FaultKind::not_finite,
@@ -87,7 +84,8 @@ std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
     const Vec3& place = swimmer.motion[i].position;
     for (int j = i + 1; j < beads; ++j) {
       const double gap = (swimmer.motion[j].position - place).norm() - bodies[i].radius - bodies[j].radius;
-      if (!fault_ && gap < near_contact_.cutoff()) smallest_gap_ = std::min(smallest_gap_, gap);
+      if (!fault_ && gap < near_contact_.cutoff())
+        progress_.smallest_gap = std::min(progress_.smallest_gap, gap);
       if (const auto fault = overlap_of({swimmer.id, i}, {swimmer.id, j}, place, gap,
                                         std::min(bodies[i].radius, bodies[j].radius)))
         return fault;
@@ -97,28 +95,24 @@ std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
 }
 
 void CoupledSystem::record_fault(Fault fault) {
-  fault.step = steps_done_;
+  fault.step = progress_.steps_done;
   if (!fault_ || comes_before(fault, *fault_)) fault_ = fault;
 }
 
 double CoupledSystem::smallest_gap() const {
-  double smallest = smallest_gap_;
+  double smallest = progress_.smallest_gap;
   MPI_Allreduce(MPI_IN_PLACE, &smallest, 1, MPI_DOUBLE, MPI_MIN, communicator_.get());
   return smallest;
 }
 
 double CoupledSystem::largest_bead_speed() const {
-  double largest = largest_bead_speed_;
+  double largest = progress_.largest_bead_speed;
   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator_.get());
   return largest;
 }
 
 std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
-  OutgoingMessage message;
-  for (const SwimmerState& swimmer : owned_) message(swimmer);
-  std::vector<SwimmerState> swimmers;
-  IncomingMessage gathered(gather_bytes(message.bytes(), communicator_));
-  while (!gathered.is_at_end()) gathered(swimmers.emplace_back());
+  auto swimmers = states_from_bytes<SwimmerState>(gather_bytes(bytes_of(owned_), communicator_));
   std::ranges::sort(swimmers, {}, &SwimmerState::id);
   return swimmers;
 }
@@ -133,7 +127,7 @@ std::vector<SwimmerSnapshot> CoupledSystem::gather_snapshots() {
     for (int b = 0; b < std::ssize(swimmer.motion); ++b)
       snapshot.pending_impulses.push_back(impulses[{swimmer.id, b}]);
   }
-  auto snapshots = snapshots_from_bytes(gather_bytes(bytes_of(own), communicator_));
+  auto snapshots = states_from_bytes<SwimmerSnapshot>(gather_bytes(bytes_of(own), communicator_));
   std::ranges::sort(snapshots, {}, [](const SwimmerSnapshot& s) { return s.state.id; });
   return snapshots;
 }
@@ -167,98 +161,12 @@ void CoupledSystem::restore(const SystemProgress& progress, std::span<const Swim
   find_links_or_saturated_cells();
   fault_.reset();
   state_is_finite_ = true;
-  steps_done_ = progress.steps_done;
-  body_force_ = progress.body_force;
-  unbalanced_ = progress.unbalanced;
   levels_.set_body_impulses(progress.body_impulses);
-  largest_bead_speed_ = progress.largest_bead_speed;
-  smallest_gap_ = progress.smallest_gap;
+  progress_ = progress;
 }
 
 void CoupledSystem::add_pending_impulses(std::map<BeadName, Impulse>& impulses) {
   for (const auto& [name, impulse] : pending_impulses_) impulses[name].add(impulse);
-}
-
-FluidTotals CoupledSystem::fluid_totals() const {
-  FluidTotals fluid = block_totals(populations());
-  if (has_links(scene_.bead_boundary)) {
-    FluidTotals covered_cells;
-    coverage_.for_each_own_covered_cell(
-        [&](std::ptrdiff_t cell, int, const Vec3&) { covered_cells.add(cell_moments(populations(), cell)); });
-    fluid.subtract(covered_cells);
-    return fluid;
-  }
-  for (const SwimmerState& swimmer : owned_) {
-    for (const Load& inner : swimmer.inner_momentum)
-      fluid.add({.density_deviation = 0, .momentum = -inner.force});
-  }
-  return fluid;
-}
-
-FluidTotals CoupledSystem::volume_of_beads() const {
-  FluidTotals totals;
-  const Vec3 half_impulse = 0.5 * levels_.body_impulses().back().acted;
-  if (has_links(scene_.bead_boundary)) {
-    coverage_.for_each_own_covered_cell([&](std::ptrdiff_t, int bead, const Vec3& from_centre) {
-      totals.add({.density_deviation = 0, .momentum = beads_[bead].velocity_at(from_centre) + half_impulse});
-    });
-    return totals;
-  }
-  for_each_owned_bead([&](const SwimmerState& swimmer, std::size_t b, const Bead& bead) {
-    // The momentum of the fluid within the bead lacks the last impulse of the body force.
-    const Vec3 velocity = swimmer.motion[b].velocity - half_impulse;
-    totals.add({.density_deviation = 0, .momentum = mass(bead) / bead.density * velocity});
-  });
-  for (const auto& [cell, fluid_fraction, force] : saturated_forces_)
-    totals.add({.density_deviation = 0, .momentum = -0.5 * fluid_fraction * force});
-  return totals;
-}
-
-FluidTotals CoupledSystem::excess_totals() const {
-  FluidTotals totals;
-  for_each_owned_bead([&](const SwimmerState& swimmer, std::size_t b, const Bead& bead) {
-    const double added = scene_.corrects_delay ? delay_density(bead, scene_.relaxation_time) : 0;
-    const double excess = mass(bead) * (1 - (1 + added) / bead.density);
-    totals.add({.density_deviation = 0, .momentum = excess * swimmer.motion[b].velocity});
-  });
-  return totals;
-}
-
-FluidTotals CoupledSystem::bead_totals() const {
-  FluidTotals totals;
-  for_each_owned_bead([&](const SwimmerState& swimmer, std::size_t b, const Bead& bead) {
-    totals.add(
-        {.density_deviation = swimmer.held_mass[b], .momentum = mass(bead) * swimmer.motion[b].velocity});
-    totals.add({.density_deviation = 0, .momentum = 0.5 * swimmer.last_impulse[b].force});
-  });
-  const auto add = [&](const Impulse& impulse) {  // exact sums: rounding would depend on the number of ranks
-    totals.density_deviation.add(impulse.mass);
-    for (int a = 0; a < 3; ++a) totals.momentum[a].add(impulse.linear[a]);
-  };
-  for (const BeadOnLattice& bead : beads_) add(bead.impulse);
-  for (const auto& [name, impulse] : pending_impulses_) add(impulse);
-  return totals;
-}
-
-SceneTotals CoupledSystem::totals() {
-  FluidTotals everything, all_cells;
-  std::vector<FluidTotals> coarser_totals;
-  if_state_is_finite([&] {
-    everything = all_cells = fluid_totals();
-    everything.add(bead_totals());
-    all_cells.add(volume_of_beads());
-    coarser_totals = levels_.coarser_totals();
-  });
-  everything = sum_over_ranks(everything, communicator_);
-  all_cells = sum_over_ranks(all_cells, communicator_);
-  const CellMoments coarser = levels_.sum_of_coarser(std::move(coarser_totals), communicator_);
-  const double cells = scene_.cells.cast<double>().prod();
-  const Vec3 half_impulse = levels_.half_impulse();
-  // Momentum is conserved if a body force that balances driving forces is counted with these forces.
-  const Vec3 ahead = has_net_force_ ? unbalanced_ : half_impulse;
-  return {.momentum = everything.momentum_value() + coarser.momentum - ahead,
-          .mean_flow = (all_cells.momentum_value() + coarser.momentum - half_impulse) / cells,
-          .mass_excess = (everything.density_deviation.value() + coarser.density_deviation) / cells};
 }
 
 }  // namespace beadswim

@@ -1,9 +1,8 @@
-#include "beadswim/coupling/gather.hpp"
-
-#include <numeric>
+#include <array>
 
 #include "beadswim/core/message.hpp"
 #include "beadswim/core/sha256.hpp"
+#include "beadswim/coupling/coupled_system.hpp"
 
 namespace beadswim {
 namespace {
@@ -19,29 +18,6 @@ Block block_of(int rank, const Decomposition& decomposition) {
 int cells_in_plane(const Block& block, int z) {
   const int local = z - block.offset[2];
   return local >= 0 && local < block.size[2] ? block.size[0] * block.size[1] : 0;
-}
-
-/// Sorts the values of a plane from the order of `packed`, block by block, into global order: component
-/// (slowest), y, x.
-std::vector<double> in_global_order(const Decomposition& decomposition, int z, int components,
-                                    const std::vector<double>& packed) {
-  const Index3& cells = decomposition.cells();
-  std::vector<double> plane(packed.size());
-  auto value = packed.begin();
-  for (int r = 0; r < decomposition.ranks(); ++r) {
-    const Block block = block_of(r, decomposition);
-    if (cells_in_plane(block, z) == 0) continue;
-    for (int k = 0; k < components; ++k) {
-      for (int y = 0; y < block.size[1]; ++y) {
-        const std::ptrdiff_t row =
-            block.offset[0] + static_cast<std::ptrdiff_t>(cells[0]) *
-                                  (block.offset[1] + y + static_cast<std::ptrdiff_t>(cells[1]) * k);
-        std::copy_n(value, block.size[0], plane.begin() + row);
-        value += block.size[0];
-      }
-    }
-  }
-  return plane;
 }
 
 }  // namespace
@@ -62,15 +38,30 @@ std::vector<double> gather_plane(const Level& level, const Communicator& communi
       });
     }
   }
-  std::vector<int> sizes(communicator.size()), starts(communicator.size());
-  for (int r = 0; r < communicator.size(); ++r)
-    sizes[r] = components * cells_in_plane(block_of(r, decomposition), z);
-  std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
-  std::vector<double> packed(communicator.is_root() ? starts.back() + sizes.back() : 0);
-  MPI_Gatherv(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, packed.data(), sizes.data(),
-              starts.data(), MPI_DOUBLE, 0, communicator.get());
-  return communicator.is_root() ? in_global_order(decomposition, z, components, packed)
-                                : std::vector<double>{};
+  constexpr int tag = 31;  // Halo, BeadExchange and NumberExchange use other tags
+  std::vector<double> plane;
+  std::vector<MPI_Request> requests;
+  if (communicator.is_root()) {
+    const Index3& cells = decomposition.cells();
+    plane.resize(static_cast<std::size_t>(components) * cells[0] * cells[1]);
+    for (int r = 0; r < communicator.size(); ++r) {
+      const Block part = block_of(r, decomposition);
+      if (cells_in_plane(part, z) == 0) continue;
+      const std::array sizes{components, cells[1], cells[0]}, first{0, part.offset[1], part.offset[0]},
+          part_sizes{components, part.size[1], part.size[0]};
+      MPI_Datatype place;
+      MPI_Type_create_subarray(3, sizes.data(), part_sizes.data(), first.data(), MPI_ORDER_C, MPI_DOUBLE,
+                               &place);
+      MPI_Type_commit(&place);
+      MPI_Irecv(plane.data(), 1, place, r, tag, communicator.get(), &requests.emplace_back());
+      MPI_Type_free(&place);
+    }
+  }
+  if (!own.empty())
+    MPI_Isend(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, tag, communicator.get(),
+              &requests.emplace_back());
+  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  return plane;
 }
 
 std::string state_sha256(const CoupledSystem& system, const Communicator& communicator) {

@@ -11,8 +11,6 @@
 
 #include "beadswim/core/error.hpp"
 
-#include "beadswim/coupling/gather.hpp"
-
 namespace beadswim {
 namespace {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "beadswim/coupling/coupled_system.hpp"
-#include "beadswim/coupling/lattice_scales.hpp"
 #include "beadswim/io/vti.hpp"
+#include "beadswim/scene/unit_scales.hpp"
 
 namespace beadswim {
 

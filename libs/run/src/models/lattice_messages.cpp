@@ -28,7 +28,7 @@ std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach_s
     return fmt::format(
         "the beads' density on the lattice, {:.3g} times the fluid's density, is too low for the explicit "
         "coupling of beads and fluid; use {}{} psm, or a larger {}",
-        density, on_lattice.corrects_delay ? "" : fmt::format("{} on, ", Setting::delay_correction),
+        density, on_lattice.scene.corrects_delay ? "" : fmt::format("{} on, ", Setting::delay_correction),
         Setting::bead_boundary, Setting::relaxation_time);
   }
   if (tau < min_stable_relaxation_time) {

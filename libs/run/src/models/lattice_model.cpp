@@ -4,7 +4,6 @@
 #include <new>
 
 #include "beadswim/core/data_error.hpp"
-#include "beadswim/coupling/conservation.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/run/velocity_roundoff.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/coupling/gather.hpp"
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/lattice/trt.hpp"
 #include "run_parts.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "beadswim/core/data_error.hpp"
-#include "beadswim/coupling/swimmer_snapshot.hpp"
+#include "beadswim/coupling/swimmer_state.hpp"
 
 namespace beadswim {
 namespace {
@@ -76,8 +76,7 @@ std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const 
         std::span(scene.swimmers).subspan(first, std::min(swimmers_per_chunk, scene.swimmers.size() - first));
     std::uint64_t bytes = 0;
     for (const PlacedSwimmer& swimmer : of_scene) bytes += size_of(swimmer);
-    std::vector<SwimmerSnapshot> chunk =
-        snapshots_from_bytes(file.bytes(swimmers_section, first_byte, bytes));
+    auto chunk = states_from_bytes<SwimmerSnapshot>(file.bytes(swimmers_section, first_byte, bytes));
     first_byte += bytes;
     const auto is_of_scene = [&](const SwimmerSnapshot& swimmer, const PlacedSwimmer& placed) {
       return is_sound(swimmer, placed, scene.type_of(placed).beads.size());

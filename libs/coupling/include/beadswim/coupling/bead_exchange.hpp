@@ -61,7 +61,6 @@ class BeadExchange {
  private:
   using Buffers = std::vector<std::vector<char>>;  ///< one per peer
 
-  std::vector<char> announcement(const std::vector<SwimmerState>& owned, int peer) const;
   Buffers exchange(const Buffers& to_peers, int tag);
 
   MPI_Comm comm_;

@@ -83,8 +83,4 @@ void for_each_image(const BlockInLattice& lattice_block, int margin, const Vec3&
   });
 }
 
-/// Returns true if an image of the bead may cover a cell of the block or of the `margin` layers of cells
-/// around it.
-bool touches(const BlockInLattice& lattice_block, int margin, const Vec3& position, double radius);
-
 }  // namespace beadswim

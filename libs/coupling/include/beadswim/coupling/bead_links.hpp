@@ -7,6 +7,7 @@
 
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/coupling/coverage.hpp"
+#include "beadswim/coupling/impulse_sums.hpp"
 #include "beadswim/lattice/fluid_step.hpp"
 
 namespace beadswim {
@@ -36,6 +37,18 @@ constexpr HaloContent halo_content(BeadScheme scheme) {
   return cells_behind(scheme) > 1 ? HaloContent::behind : HaloContent::entering;
 }
 
+/// Evaluates the returned mass: the fluid mass that each link of a bead returns to the fluid in one step,
+/// divided by the weight w_i of the link. held_mass: fluid mass beyond density 1 that the bead has taken up.
+/// link_weight: sum of w_i over all links of the bead; 0 if the bead has no links.
+///
+/// The bead returns a tenth of held_mass per step, in proportion to the weights w_i. The returned mass
+/// changes the mass that interpolated links take up in the following steps. If the bead returned all of
+/// held_mass in one step, held_mass would therefore change its sign and grow from step to step.
+constexpr double returned_mass(double held_mass, double link_weight) {
+  constexpr double returned_part = 0.1;
+  return link_weight > 0 ? returned_part * held_mass / link_weight : 0;
+}
+
 /// All links of a block, in segments. A segment contains the links of the fluid cells of one row.
 ///
 /// A link reads and writes incoming populations of its covered cell, of its fluid cell and of the cells
@@ -47,13 +60,35 @@ constexpr HaloContent halo_content(BeadScheme scheme) {
 /// next.
 class BeadLinks {
  public:
-  explicit BeadLinks(BeadScheme scheme) : scheme_(scheme) {}
+  /// `rates`: relaxation rates of the fluid.
+  BeadLinks(BeadScheme scheme, const RelaxationRates& rates) : scheme_(scheme), rates_(rates) {}
 
   BeadScheme scheme() const { return scheme_; }
 
   /// Finds the links after an update of the coverage. Does not search again for links next to rows in which
   /// an image covers the same cells as before.
   void find(const Coverage& coverage);
+
+  /// Bounces populations back at all links that must be processed before plane z of the block is swept (laws:
+  /// link_laws.hpp). step_fluid() must call this function before each plane, in the order in which it sweeps
+  /// the planes. The links then need only halo cells that are already filled. `coverage` and `beads`: those
+  /// for which the links were found.
+  void bounce_back_before_plane(Populations& populations, const Coverage& coverage,
+                                std::span<const BeadOnLattice> beads, int z);
+
+  /// Adds the impulse, angular impulse, fluid mass and link weight that each bead has received from its links
+  /// since the last call to BeadOnLattice::impulse.
+  void transfer_impulses(std::span<BeadOnLattice> beads);
+
+  /// Transfers mass and momentum between beads and fluid in the cells that the last Coverage::update() has
+  /// changed. A bead takes up the momentum and mass of the fluid in newly covered cells. Uncovered cells are
+  /// refilled with fluid (refill.hpp), and the bead loses the momentum and mass that they receive (Aidun, Lu
+  /// & Ding 1998, section 3.3). Call it before find(). `beads`: beads of the last update; `beads_before`:
+  /// beads of the update before it. Throws FaultError if a bead that has uncovered cells is no longer in
+  /// `beads`, because it moved too far from the block in one step.
+  void transfer_changed_cells(Populations& populations, const Coverage& coverage,
+                              std::span<const BeadOnLattice> beads_before,
+                              std::span<BeadOnLattice> beads) const;
 
   /// Returns all segments in the order in which the step processes them.
   std::span<const LinkSegment> segments() const { return by_plane_; }
@@ -113,12 +148,13 @@ class BeadLinks {
   void sort_by_plane();
 
   BeadScheme scheme_;
-  Index3 block_;  ///< size of the block
+  RelaxationRates rates_;
+  Index3 block_;                ///< size of the block
+  std::vector<LinkSums> sums_;  ///< one per bead; zero between steps
   std::vector<ImageLinks> images_;
   std::vector<LinkSegment> by_plane_;
   std::vector<int> first_of_plane_, next_of_plane_;
-  std::vector<BeadLink> found_;  ///< links of one image during the search
-  std::vector<int> first_found_, plane_found_;
+  ImageLinks found_;  ///< links of one image during the search
 };
 
 }  // namespace beadswim

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "beadswim/core/order_free_sum.hpp"
 #include "beadswim/core/vec3.hpp"
@@ -16,54 +17,49 @@ struct BeadName {
   auto operator<=>(const BeadName&) const = default;
 };
 
-/// Impulses that the fluid and close beads transfer to a bead in one step, in lattice units. Each member is a
-/// sum whose bits do not depend on the order of its terms.
+/// Momentum, and angular momentum about the centre of a bead: sums whose bits do not depend on the order of
+/// their terms.
+struct LoadSum {
+  std::array<OrderFreeSum, 6> sums;  ///< components of momentum and of angular momentum
+
+  void add(const Vec3& momentum, const Vec3& angular_momentum) {
+    for (int a = 0; a < 3; ++a) {
+      sums[a].add(momentum[a]);
+      sums[3 + a].add(angular_momentum[a]);
+    }
+  }
+  void add(std::span<const OrderFreeSum, 6> terms) {
+    for (int n = 0; n < 6; ++n) sums[n].add(terms[n]);
+  }
+  void add(const LoadSum& other) { add(std::span(other.sums)); }
+  Load value() const {
+    return {{sums[0].value(), sums[1].value(), sums[2].value()},
+            {sums[3].value(), sums[4].value(), sums[5].value()}};
+  }
+};
+
+/// Impulses that the fluid and close beads transfer to a bead in one step, in lattice units.
 struct Impulse {
-  /// From the fluid: momentum, and angular momentum about the centre of the bead.
-  std::array<OrderFreeSum, 3> linear, angular;
+  LoadSum fluid;             ///< from the fluid
   OrderFreeSum mass;         ///< fluid mass that the bead takes up, beyond density 1
   OrderFreeSum link_weight;  ///< sum of the weights w_i of the links of the bead
-  /// Momentum and angular momentum of the fluid within the bead, for the scheme psm.
-  std::array<OrderFreeSum, 3> inner_linear, inner_angular;
-  std::array<OrderFreeSum, 3> close_linear, close_angular;  ///< momentum, angular momentum from close beads
+  LoadSum inner;             ///< momentum of the fluid within the bead, for the scheme psm
+  LoadSum close;             ///< from close beads
   /// Part of the relative normal velocity that lubrication film and contact spring of a close pair remove in
   /// one step, summed over the close pairs of the bead.
   OrderFreeSum removed_fraction;
 
   static void visit_fields(auto&& visit, auto&... impulses) {
-    visit("linear", impulses.linear...);
-    visit("angular", impulses.angular...);
+    visit("fluid", impulses.fluid...);
     visit("mass", impulses.mass...);
     visit("link_weight", impulses.link_weight...);
-    visit("inner_linear", impulses.inner_linear...);
-    visit("inner_angular", impulses.inner_angular...);
-    visit("close_linear", impulses.close_linear...);
-    visit("close_angular", impulses.close_angular...);
+    visit("inner", impulses.inner...);
+    visit("close", impulses.close...);
     visit("removed_fraction", impulses.removed_fraction...);
   }
 
-  /// Adds the momentum p that acts at `from_centre`, relative to the centre of the bead.
-  void add(const Vec3& p, const Vec3& from_centre) {
-    const Vec3 l = from_centre.cross(p);
-    for (int a = 0; a < 3; ++a) {
-      linear[a].add(p[a]);
-      angular[a].add(l[a]);
-    }
-  }
   void add(const Impulse& other) {
-    visit_fields([](const char*, auto& sum, const auto& term) { add_to(sum, term); }, *this, other);
-  }
-  Load value() const { return {value_of(linear), value_of(angular)}; }
-  Load inner_value() const { return {value_of(inner_linear), value_of(inner_angular)}; }
-  Load close_value() const { return {value_of(close_linear), value_of(close_angular)}; }
-
- private:
-  static void add_to(OrderFreeSum& sum, const OrderFreeSum& term) { sum.add(term); }
-  static void add_to(std::array<OrderFreeSum, 3>& sums, const std::array<OrderFreeSum, 3>& terms) {
-    for (int a = 0; a < 3; ++a) sums[a].add(terms[a]);
-  }
-  static Vec3 value_of(const std::array<OrderFreeSum, 3>& sums) {
-    return {sums[0].value(), sums[1].value(), sums[2].value()};
+    visit_fields([](const char*, auto& sum, const auto& term) { sum.add(term); }, *this, other);
   }
 };
 

@@ -29,14 +29,7 @@ constexpr bool has_links(BeadScheme scheme) {
 /// Returns the number of fluid cells that a link reads in addition to its own fluid cell. They follow this
 /// cell along the link, away from the bead.
 constexpr int cells_behind(BeadScheme scheme) {
-  switch (scheme) {
-    case BeadScheme::cli:
-      return 1;
-    case BeadScheme::mr:
-      return 2;
-    default:
-      return 0;
-  }
+  return scheme == BeadScheme::mr ? 2 : (scheme == BeadScheme::cli ? 1 : 0);
 }
 
 }  // namespace beadswim

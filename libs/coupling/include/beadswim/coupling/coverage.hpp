@@ -70,10 +70,6 @@ struct CoveredImages {
     const int index = run_index(covered, y, z);
     return index < 0 ? CoveredRun{} : runs[covered.first_run + index];
   }
-  /// Returns the run of an image in row (y, z), which must lie within the box of the image.
-  CoveredRun& run_within(const CoveredImage& covered, int y, int z) {
-    return runs[covered.first_run + run_index(covered, y, z)];
-  }
 
   /// Calls visit(image, run, y, z) for every row of every image.
   template <class Visit>

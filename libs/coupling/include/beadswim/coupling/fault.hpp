@@ -4,6 +4,7 @@
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/order_free_lanes.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
 
 namespace beadswim {
@@ -63,6 +64,21 @@ class FaultError : public SolverError {
 
 inline FaultError not_finite_at(const BeadOnLattice& bead) {
   return FaultError({.kind = FaultKind::not_finite, .bead = bead.name, .position = bead.motion.position});
+}
+
+/// Adds the terms terms[t][k], k < count, to the sums of a bead: one by one, for each quantity t to
+/// sums.sums[t]. This accepts larger terms than the vectorised addition in the kernels. Throws FaultError if
+/// a term is non-finite or too large for OrderFreeSum.
+template <int N, int capacity>
+void add_one_by_one(const double (&terms)[N][capacity], int count, OrderFreeLanes<N>& sums,
+                    const BeadOnLattice& bead) {
+  try {
+    for (int t = 0; t < N; ++t) {
+      for (int k = 0; k < count; ++k) sums.sums[t].add(terms[t][k]);
+    }
+  } catch (const SolverError&) {
+    throw not_finite_at(bead);
+  }
 }
 
 }  // namespace beadswim

@@ -17,7 +17,7 @@ struct LatticeSettings {
   /// Relaxation time tau [step]. If not set: the value in the layout, or 1 if the layout has none.
   std::optional<double> relaxation_time;
   BeadScheme bead_boundary = BeadScheme::mr;
-  bool delay_correction = true;   ///< makes beads heavier to compensate the delay of forces (force_delay.hpp)
+  bool delay_correction = true;   ///< makes beads heavier to compensate the delay of forces
   bool radius_correction = true;  ///< adapts radii so that hydrodynamic radii equal the radii in the layout
   bool lubrication = true;  ///< adds the resistance of thin films between beads that cells do not resolve
   double friction = 0.5;    ///< Coulomb's friction coefficient between beads in contact

@@ -27,11 +27,11 @@ struct BeadExtent {
 /// Returns the extent of all beads of a scene at their initial positions.
 BeadExtent bead_extent(const CoupledScene& scene);
 
-/// Chooses `count` nested levels around the beads. Returns them coarsest first, each in coordinates of its own
-/// cells; the first fills the box. Each level is the smallest box of whole cells of the next coarser level that
-/// keeps distances to the beads and to the next finer level. Along a periodic axis where it would come too
-/// close to its own image, it spans the box. Returns nothing if an edge of the box is not a whole number of
-/// coarsest cells, or a level would come too close to a wall.
+/// Chooses `count` nested levels around the beads. Returns them coarsest first, each in coordinates of its
+/// own cells; the first fills the box. Each level is the smallest box of whole cells of the next coarser
+/// level that keeps distances to the beads and to the next finer level. Along a periodic axis where it would
+/// come too close to its own image, it spans the box. Returns nothing if an edge of the box is not a whole
+/// number of coarsest cells, or a level would come too close to a wall.
 std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const BeadExtent& beads,
                                                 int count);
 

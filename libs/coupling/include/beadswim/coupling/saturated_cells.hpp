@@ -6,6 +6,8 @@
 
 #include "beadswim/coupling/bead_images.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
+#include "beadswim/coupling/impulse_sums.hpp"
+#include "beadswim/lattice/populations.hpp"
 
 namespace beadswim {
 
@@ -26,14 +28,40 @@ struct SaturatedRun {
   Vec3 from_centre(int x) const { return {x + shift + 0.5 - centre, y, z}; }
 };
 
-/// Cells of a block that beads touch, with the fraction of each cell that a bead fills. The fractions are
-/// exact, so that their sum over the cells of a bead is the volume of the bead [cell^3].
+/// Force of beads on the fluid in a saturated cell in one step, in lattice units.
+struct SaturatedForce {
+  std::ptrdiff_t cell;    ///< index in the populations
+  double fluid_fraction;  ///< fraction of the cell that no bead fills
+  Vec3 force;             ///< momentum that the fluid gained
+};
+
+/// Saturated cells of a block: cells that beads cover partly or completely, with the fraction of each cell
+/// that a bead fills. The fractions are exact, so that their sum over the cells of a bead is the volume of
+/// the bead [cell^3]. The equations for one cell are in saturated_cell.hpp.
 class SaturatedCells {
  public:
-  explicit SaturatedCells(const BlockInLattice& lattice_block);
+  /// `viscosity`: kinematic viscosity of the fluid [cell^2/step].
+  SaturatedCells(const BlockInLattice& lattice_block, double viscosity);
 
   /// Finds the cells and fractions for the present positions of `beads`.
   void find(std::span<const BeadOnLattice> beads);
+
+  /// Begins a step in which each cell gains the momentum `body_force` at the end of the step. Half of it
+  /// belongs to the momentum v that the force of a bead drives to the velocity of the bead, so this force
+  /// acts as if the bead were slower by this half.
+  void begin_step(const Vec3& body_force);
+
+  /// Applies the forces of beads on the fluid in the cells of row (y, z) of the block, by changing the
+  /// incoming populations of these cells. step_fluid() must call this function before each row. The function
+  /// uses incoming populations of this row only. `beads`: those for which the cells were found.
+  void apply_forces_before_row(Populations& populations, std::span<const BeadOnLattice> beads, int y, int z);
+
+  /// Adds the impulse and angular impulse on each bead since the last call, and the momentum and angular
+  /// momentum of the fluid within it, to BeadOnLattice::impulse.
+  void transfer_impulses(std::span<BeadOnLattice> beads);
+
+  /// Returns the forces of the last step. Half of a force belongs to the velocity of its cell.
+  const std::vector<SaturatedForce>& forces() const { return forces_; }
 
   /// Returns the runs of touched cells in row (y, z) of the block, in the order of the beads.
   std::span<const SaturatedRun> runs(int y, int z) const {
@@ -62,12 +90,18 @@ class SaturatedCells {
   void cut(const Vec3& centre, double radius, const BeadImage& image);
   double volume_below(int x, int y, int z, double radius) const;
   void sort_by_row();
+  template <class Real>
+  class RowUpdate;
 
   BlockInLattice block_in_lattice_;
   Cuts cuts_;
   std::vector<SaturatedRun> found_, runs_;
   std::vector<int> first_of_row_, next_of_row_;
   std::vector<double> fractions_;
+  double viscosity_;
+  Vec3 body_force_ = Vec3::Zero();
+  std::vector<SaturatedSums> sums_;  ///< one per bead; zero between steps
+  std::vector<SaturatedForce> forces_;
 };
 
 }  // namespace beadswim

@@ -5,8 +5,7 @@
 
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/coupling/bead_scheme.hpp"
-#include "beadswim/coupling/hydrodynamic_radius.hpp"
+#include "beadswim/coupling/bead_corrections.hpp"
 #include "beadswim/lattice/block.hpp"
 #include "beadswim/lattice/precision.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"

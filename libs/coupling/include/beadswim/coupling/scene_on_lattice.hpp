@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "beadswim/coupling/lattice_scales.hpp"
 #include "beadswim/coupling/lattice_settings.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/scene/layout.hpp"
+#include "beadswim/scene/unit_scales.hpp"
 
 namespace beadswim {
 
@@ -20,6 +20,21 @@ constexpr double min_stable_relaxation_time = 0.52;
 /// Mach number above which compressibility of the fluid affects the results.
 constexpr double max_incompressible_mach = 0.3;
 
+/// Discretisation of a scene.
+struct LatticeChoice {
+  UnitScales scales;           ///< cell, step and density of the fluid
+  double relaxation_time = 1;  ///< tau, adapted to the time step [step]
+  long steps_per_period = 0;
+};
+
+/// Returns cell, step and relaxation time for a fluid of kinematic viscosity nu:
+/// - cell = radius/cells_per_radius
+/// - step = nu_lu cell^2/nu with nu_lu = (tau - 1/2)/3, rounded such that `period` is an integer number of
+///   steps, which is a multiple of `multiple`
+/// - relaxation time: tau, adapted to the rounded step
+LatticeChoice choose_lattice(double radius, const Resolution& resolution, const Fluid& fluid, double period,
+                             long multiple = 1);
+
 /// The scene of a layout on the lattice, and the lattice itself. The resolution comes from the settings,
 /// otherwise from the layout, otherwise from the defaults.
 struct SceneOnLattice {
@@ -27,7 +42,6 @@ struct SceneOnLattice {
   Resolution resolution;    ///< as requested; `lattice` has the relaxation time adapted to the period
   double period = 0;        ///< base period: of all swimmers, otherwise of the first swimmer's type [time]
   double smallest_gap = 0;  ///< smallest gap at the start: bead to bead, image or wall [cell]
-  bool corrects_delay = false;
   /// True if springs vibrate too fast for the time step and got additional damping
   /// (with_resolved_vibrations).
   bool damps_springs = false;

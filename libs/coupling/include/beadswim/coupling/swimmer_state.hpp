@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "beadswim/core/message.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 
@@ -60,5 +61,41 @@ struct SwimmerState {
     visit("predicted", swimmer.predicted);
   }
 };
+
+/// Complete state of a swimmer between two steps.
+struct SwimmerSnapshot {
+  SwimmerState state;
+  std::vector<Impulse> pending_impulses;  ///< impulses on its beads, not yet applied; sums over all ranks
+
+  static void visit_fields(auto&& visit, auto& snapshot) {
+    visit("state", snapshot.state);
+    visit("pending_impulses", snapshot.pending_impulses);
+  }
+};
+
+/// Returns the states or snapshots of swimmers as bytes. Only machines with the same byte order and sizes of
+/// numbers can read these bytes.
+template <class State>
+std::vector<char> bytes_of(const std::vector<State>& states) {
+  OutgoingMessage message;
+  for (const State& state : states) message(state);
+  return message.bytes();
+}
+
+/// Inverse of bytes_of(). Throws SolverError if the bytes are not valid.
+template <class State>
+std::vector<State> states_from_bytes(std::vector<char> bytes) {
+  std::vector<State> states;
+  IncomingMessage message(std::move(bytes));
+  while (!message.is_at_end()) message(states.emplace_back());
+  return states;
+}
+
+/// Returns the size of the snapshot of a swimmer with this number of beads [byte].
+inline std::size_t snapshot_size(std::size_t beads) {
+  return bytes_of(std::vector{SwimmerSnapshot{.state = SwimmerState::of_beads(beads),
+                                              .pending_impulses = std::vector<Impulse>(beads)}})
+      .size();
+}
 
 }  // namespace beadswim

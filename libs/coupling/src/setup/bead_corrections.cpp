@@ -1,8 +1,10 @@
-#include "beadswim/coupling/hydrodynamic_radius.hpp"
+#include "beadswim/coupling/bead_corrections.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "beadswim/lattice/trt.hpp"
 
 namespace beadswim {
 namespace {
@@ -28,8 +30,9 @@ constexpr std::array calibrations{std::to_array<Calibration>({
     {12, {0.0607, 0.0002, 0.0038, 0.0239}},
 })};
 
-}  // namespace
-
+/// Returns the hydrodynamic radius of a bead minus its radius `radius` on the lattice [cell]. The result is
+/// interpolated linearly between the radii at which it was measured. Outside the range of these radii it is
+/// constant.
 double excess_radius(BeadScheme scheme, double radius) {
   const auto scheme_index = static_cast<std::size_t>(scheme);
   const auto above = std::ranges::lower_bound(calibrations, radius, {}, &Calibration::radius);
@@ -40,12 +43,19 @@ double excess_radius(BeadScheme scheme, double radius) {
                    (radius - below.radius) / (above->radius - below.radius));
 }
 
+}  // namespace
+
 // Solves r + excess(r) = radius by the fixed-point iteration r -> radius - excess(r). It converges because
 // |d excess/dr| <= 0.15.
 double corrected_radius(BeadScheme scheme, double radius) {
   double corrected = radius;
   for (int n = 0; n < 40; ++n) corrected = radius - excess_radius(scheme, corrected);
   return corrected;
+}
+
+double delay_density(const Bead& bead, double relaxation_time) {
+  return 4.5 * lattice_viscosity(relaxation_time) * force_delay(relaxation_time) /
+         (bead.radius * bead.radius);
 }
 
 }  // namespace beadswim

@@ -1,21 +1,18 @@
-#include "beadswim/coupling/bead_boundary.hpp"
-
 #include <algorithm>
 
-#include "add_one_by_one.hpp"
+#include "bead_kernels.hpp"
 #include "beadswim/core/kernel_choice.hpp"
+#include "beadswim/coupling/bead_links.hpp"
 #include "beadswim/coupling/fault.hpp"
-#include "beadswim/coupling/moving_bounce_back.hpp"
-#include "beadswim/coupling/multireflection.hpp"
+#include "beadswim/coupling/link_laws.hpp"
 #include "beadswim/coupling/refill.hpp"
 #include "beadswim/lattice/d3q19.hpp"
-#include "link_kernel.hpp"
 
 namespace beadswim {
 namespace {
 
 /// Returns the data of a bead that the link kernel needs.
-LinkBead link_bead(const BeadOnLattice& bead, double slip = 0) {
+KernelBead link_bead(const BeadOnLattice& bead, double slip = 0) {
   const Vec3 &v = bead.motion.velocity, &omega = bead.motion.angular_velocity;
   return {.velocity = {v[0], v[1], v[2]},
           .angular_velocity = {omega[0], omega[1], omega[2]},
@@ -60,7 +57,9 @@ struct AddressedLinks {
 template <class Real>
 class LinkReflection {
  public:
-  LinkReflection(BeadBoundary& boundary, Populations& populations) : boundary_(boundary) {
+  LinkReflection(BeadScheme scheme, double slip, Populations& populations, const Coverage& coverage,
+                 std::span<const BeadOnLattice> beads, std::vector<LinkSums>& sums)
+      : scheme_(scheme), slip_(slip), coverage_(coverage), beads_(beads), sums_(sums) {
     for (int out = 0; out < d3q19::directions; ++out) {
       const auto& c = d3q19::velocity[out];
       directions_[out] = {.c = {c[0], c[1], c[2]},
@@ -78,7 +77,7 @@ class LinkReflection {
     const Index3 low = covered.image.low;
     const auto& c = d3q19::velocity[links.front().out];
     const int y = low[1] + links.front().from_low[1] + c[1], z = low[2] + links.front().from_low[2] + c[2];
-    FluidRow row{.first = boundary_.coverage.cell(0, y, z), .low_x = low[0]};
+    FluidRow row{.first = coverage_.cell(0, y, z), .low_x = low[0]};
     for (int step = 0; step < 3; ++step) {
       const Vec3 covered_cell = covered.from_centre(0, y + 1 - step, z + 1 - step);
       row.y[step] = covered_cell[1], row.z[step] = covered_cell[2];
@@ -108,11 +107,11 @@ class LinkReflection {
     if (batch.links == 0) return;
     fetch(at);
     fill_lanes(batch);
-    LinkSums& sums = boundary_.sums[at.covered->bead];
+    const BeadOnLattice& bead = beads_[at.covered->bead];
+    LinkSums& sums = sums_[at.covered->bead];
     sums.reserve_terms(LinkBatch::max_links / LinkSums::lanes);
-    const LinkBead bead = link_bead(boundary_.beads[at.covered->bead], slip_);
-    if (!best_kernels<LinkKernels>().reflect<Real>(boundary_.links.scheme(), batch, bead, sums))
-      add_one_by_one(batch, batch.links, sums, boundary_.beads[at.covered->bead]);
+    if (!best_kernels<BeadKernels>().reflect<Real>(scheme_, batch, link_bead(bead, slip_), sums))
+      add_one_by_one(batch.terms, batch.links, sums, bead);
     for (int k = 0; k < batch.links; ++k) *at.incoming[k] = static_cast<Real>(batch.returned[k]);
     batch.links = 0;
   }
@@ -153,7 +152,7 @@ class LinkReflection {
     batch.fluid_behind[k] = link.fluid_behind;
     std::ptrdiff_t behind = link.fluid_behind > 0 ? along.behind : 0;
     if (is_beyond_row(x + 2 * along.c[0]) && behind != 0)
-      behind = boundary_.coverage.wrapped_along_x(fluid_cell + behind, x + 2 * along.c[0]) - fluid_cell;
+      behind = coverage_.wrapped_along_x(fluid_cell + behind, x + 2 * along.c[0]) - fluid_cell;
     at.behind[k] = outgoing + behind;
     at.arrived[k] = arrived_[out] + fluid_cell;
     prefetch(at.behind[k]);
@@ -222,12 +221,15 @@ class LinkReflection {
     return x < 0 || x >= cells_of_row_;
   }
 
-  BeadBoundary& boundary_;
-  const int cells_of_row_ = boundary_.coverage.block_size()[0];
+  const BeadScheme scheme_;
+  const double slip_;
+  const Coverage& coverage_;
+  std::span<const BeadOnLattice> beads_;
+  std::vector<LinkSums>& sums_;
+  const int cells_of_row_ = coverage_.block_size()[0];
   std::array<Direction, d3q19::directions> directions_;
   std::array<const Real*, d3q19::directions> arrived_;  ///< outgoing populations of the cell with index 0
-  const int cells_behind_ = cells_behind(boundary_.links.scheme());
-  const double slip_ = multireflection_slip(boundary_.rates);
+  const int cells_behind_ = cells_behind(scheme_);
   std::ptrdiff_t prefetched_cell_ = -1;
   AddressedLinks<Real> first_, second_;
   AddressedLinks<Real>*last_ = &first_, *next_ = &second_;
@@ -237,7 +239,7 @@ class LinkReflection {
 /// ended in it.
 void refill(Populations& populations, const ChangedCell& cell, const BeadLinks& links,
             const BeadOnLattice& bead, const RelaxationRates& rates) {
-  const LinkBead b = link_bead(bead);
+  const KernelBead b = link_bead(bead);
   const double r[3] = {cell.from_centre[0], cell.from_centre[1], cell.from_centre[2]};
   Arrivals arrivals;
   double sum = 0, weights = 0;
@@ -247,8 +249,8 @@ void refill(Populations& populations, const ChangedCell& cell, const BeadLinks& 
     const double c[3] = {double(to[0]), double(to[1]), double(to[2])}, weight = d3q19::weight(in);
     arrivals.population[in] = link.outgoing;
     arrivals.is_known[in] = true;
-    sum +=
-        weighted_density_deviation(weight, link.outgoing, speed_along(c, b.velocity, b.angular_velocity, r));
+    // estimate of the density deviation next to the covered cell, of first order in the velocity
+    sum += link.outgoing - 3 * weight * speed_along(c, b.velocity, b.angular_velocity, r);
     weights += weight;
   });
   const double density_deviation = weights > 0 ? sum / weights : 0;
@@ -262,50 +264,47 @@ void refill(Populations& populations, const ChangedCell& cell, const BeadLinks& 
 
 }  // namespace
 
-void BeadBoundary::bounce_back_before_plane(Populations& populations, int z) {
-  const std::span<const LinkSegment> segments = links.segments_before(z);
+void BeadLinks::bounce_back_before_plane(Populations& populations, const Coverage& coverage,
+                                         std::span<const BeadOnLattice> beads, int z) {
+  const std::span<const LinkSegment> segments = segments_before(z);
   if (segments.empty()) return;
   in_precision(populations.precision(), [&]<class Real>() {
-    LinkReflection<Real> reflection(*this, populations);
+    LinkReflection<Real> reflection(scheme_, multireflection_slip(rates_), populations, coverage, beads,
+                                    sums_);
     for (const LinkSegment& segment : segments)
-      reflection.add(links.links(segment), coverage.images().images[segment.image]);
+      reflection.add(links(segment), coverage.images().images[segment.image]);
     reflection.finish();
   });
 }
 
-void transfer_impulses(std::span<LinkSums> sums, std::span<BeadOnLattice> beads) {
-  for (std::size_t b = 0; b < beads.size(); ++b) {
-    const std::array<OrderFreeSum, link_terms> total = sums[b].take();
+void BeadLinks::transfer_impulses(std::span<BeadOnLattice> beads) {
+  for (std::size_t b = 0; b < sums_.size(); ++b) {
+    const std::array<OrderFreeSum, link_terms> total = sums_[b].take();
     Impulse& impulse = beads[b].impulse;
-    for (int a = 0; a < 3; ++a) {
-      impulse.linear[a].add(total[a]);
-      impulse.angular[a].add(total[3 + a]);
-    }
+    impulse.fluid.add(std::span(total).first<6>());
     impulse.mass.add(total[6]);
     impulse.link_weight.add(total[7]);
   }
 }
 
-void transfer_changed_cells(Populations& populations, const Coverage& coverage, const BeadLinks& links_before,
-                            std::span<const BeadOnLattice> beads_before, std::span<BeadOnLattice> beads,
-                            const RelaxationRates& rates) {
-  for (const ChangedCell& covered : coverage.newly_covered()) {
-    const CellMoments fluid = cell_moments(populations, covered.cell);
-    Impulse& impulse = beads[covered.bead].impulse;
-    impulse.add(fluid.momentum, covered.from_centre);
-    impulse.mass.add(fluid.density_deviation);
-  }
+void BeadLinks::transfer_changed_cells(Populations& populations, const Coverage& coverage,
+                                       std::span<const BeadOnLattice> beads_before,
+                                       std::span<BeadOnLattice> beads) const {
+  const auto add = [&](BeadOnLattice& bead, const ChangedCell& changed, double sign) {
+    // values as stored in the precision of the populations
+    const CellMoments fluid = cell_moments(populations, changed.cell);
+    const Vec3 momentum = sign * fluid.momentum;
+    bead.impulse.fluid.add(momentum, changed.from_centre.cross(momentum));
+    bead.impulse.mass.add(sign * fluid.density_deviation);
+  };
+  for (const ChangedCell& covered : coverage.newly_covered()) add(beads[covered.bead], covered, 1);
   for (const ChangedCell& uncovered : coverage.uncovered()) {
     const BeadOnLattice& before = beads_before[uncovered.bead];
     const auto bead = std::ranges::lower_bound(beads, before.name, {}, &BeadOnLattice::name);
-    if (bead == beads.end() || bead->name != before.name) {
+    if (bead == beads.end() || bead->name != before.name)
       throw not_finite_at(before);  // the bead moved by more than one cell in one step
-    }
-    refill(populations, uncovered, links_before, before, rates);
-    const CellMoments fluid =
-        cell_moments(populations, uncovered.cell);  // values as stored in the precision of the populations
-    bead->impulse.add(-fluid.momentum, uncovered.from_centre);
-    bead->impulse.mass.add(-fluid.density_deviation);
+    refill(populations, uncovered, *this, before, rates_);
+    add(*bead, uncovered, -1);
   }
 }
 
