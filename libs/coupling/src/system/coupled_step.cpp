@@ -67,7 +67,7 @@ void CoupledSystem::advance_fluid() {
   Populations& fluid = levels_.finest().populations;
   saturated_cells_.begin_step(progress_.body_force);
   levels_.step(progress_.body_force, [&](int y, int z) {
-    if (has_links() && y > 0) return;
+    if (y > 0 && has_links()) return;
     if_state_is_finite([&] {
       has_links() ? links_.bounce_back_before_plane(fluid, coverage_, beads_, z)
                   : saturated_cells_.apply_forces_before_row(fluid, beads_, y, z);

@@ -26,15 +26,13 @@ std::vector<double> gather_plane(const Level& level, const Communicator& communi
                                  const std::function<double(int component, std::ptrdiff_t cell)>& value) {
   const Decomposition& decomposition = level.decomposition;
   const Block block = block_of(communicator.rank(), decomposition);
-  std::vector<double> own;
-  for (int k = 0; k < components && cells_in_plane(block, z) > 0; ++k) {
-    const std::size_t first = own.size();
-    own.resize(first + cells_in_plane(block, z));
-    const int local_z = z - block.offset[2];
-    for (int y = 0; y < block.size[1]; ++y) {
+  const int local_z = z - block.offset[2], rows = cells_in_plane(block, z) / block.size[0];
+  std::vector<double> own(static_cast<std::size_t>(components) * cells_in_plane(block, z));
+  auto row = own.begin();
+  for (int k = 0; k < components; ++k) {
+    for (int y = 0; y < rows; ++y, row += block.size[0]) {
       for_each_run_outside(level.refined, block.size[0], y, local_z, [&](int x, int end) {
-        for (; x < end; ++x)
-          own[first + x + block.size[0] * y] = value(k, level.populations.cell(x, y, local_z));
+        for (; x < end; ++x) row[x] = value(k, level.populations.cell(x, y, local_z));
       });
     }
   }
