@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 
 namespace beadswim {
 namespace {
