@@ -14,7 +14,7 @@ find_package(CLI11 2.1 REQUIRED CONFIG)
 find_package(nlohmann_json 3.11 REQUIRED CONFIG)
 find_package(valijson REQUIRED CONFIG)
 find_package(fmt 9 REQUIRED CONFIG)
-find_package(Boost 1.74 REQUIRED)  # headers only, for Boost.Math
+find_package(Boost 1.74 REQUIRED)  # headers only: Boost.Math, Boost.Preprocessor
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)

@@ -25,11 +25,7 @@ struct SwimmerSample {
   std::vector<Vec3> bead_positions;  ///< centres of the beads, unwrapped [length]
   Vec3 mean_flow = Vec3::Zero();     ///< volume average of the velocity of fluid and beads [length/time]
 
-  static void visit_fields(auto&& visit, auto& sample) {
-    visit("time", sample.time);
-    visit("bead_positions", sample.bead_positions);
-    visit("mean_flow", sample.mean_flow);
-  }
+  BEADSWIM_FIELDS(time, bead_positions, mean_flow)
 };
 
 /// Mean quantities and stroke of one period, in the units of the samples and in the frame of the box.
@@ -52,20 +48,10 @@ struct CycleStatistics {
   std::optional<double> power;         ///< mean power of the driving [mass length^2/time^3]
   std::optional<double> efficiency;    ///< Lighthill efficiency: drag of the towed swimmer x v^2/power [1]
 
-  static void visit_fields(auto&& visit, auto& cycle) {
-    visit("index", cycle.index, not_a_column);
-    visit("velocity", cycle.velocity);
-    visit("axis", cycle.axis);
-    visit("speed_along_axis", cycle.speed_along_axis, not_a_column);
-    visit("mean_flow", cycle.mean_flow);
-    visit("orientation", cycle.orientation, omitted_if_none, not_a_column);
-    visit("angular_velocity", cycle.angular_velocity, omitted_if_none, not_a_column);
-    visit("arm_amplitudes", cycle.arm_amplitudes);
-    visit("arm_phases", cycle.arm_phases);
-    visit("arm_means", cycle.arm_means);
-    visit("power", cycle.power, omitted_if_none, not_a_column);
-    visit("efficiency", cycle.efficiency, omitted_if_none, not_a_column);
-  }
+  BEADSWIM_FIELDS((index, not_a_column), velocity, axis, (speed_along_axis, not_a_column), mean_flow,
+                  (orientation, omitted_if_none, not_a_column),
+                  (angular_velocity, omitted_if_none, not_a_column), arm_amplitudes, arm_phases, arm_means,
+                  (power, omitted_if_none, not_a_column), (efficiency, omitted_if_none, not_a_column))
 };
 
 /// Returns the vector along a bond [length], from its first to its second bead.

@@ -6,6 +6,7 @@
 
 #include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/core/box.hpp"
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
 // Motion and order of a swarm at the end of a base cycle. A base cycle is one period of the driving; if the
@@ -29,12 +30,7 @@ struct Spread {
   double deviation = 0;  ///< population standard deviation: root of the mean squared difference from the mean
   double smallest = 0, largest = 0;
 
-  static void visit_fields(auto&& visit, auto& spread) {
-    visit("mean", spread.mean);
-    visit("deviation", spread.deviation);
-    visit("smallest", spread.smallest);
-    visit("largest", spread.largest);
-  }
+  BEADSWIM_FIELDS(mean, deviation, smallest, largest)
 };
 
 /// Motion of the swimmers of a swarm, each in its last complete cycle.
@@ -50,17 +46,8 @@ struct SwarmSwimming {
   std::optional<Spread> power;    ///< mean power of the driving [mass length^2/time^3]; empty if not known
   std::vector<double> arm_phase_order;  ///< Kuramoto |<exp(i delta)>| of each arm; 1: equal phases
 
-  static void visit_fields(auto&& visit, auto& swimming) {
-    visit("swimmers", swimming.swimmers);
-    visit("velocity", swimming.velocity);
-    visit("velocity_deviation", swimming.velocity_deviation);
-    visit("speed_along_axis", swimming.speed_along_axis);
-    visit("mean_flow", swimming.mean_flow);
-    visit("arm_amplitudes", swimming.arm_amplitudes);
-    visit("arm_means", swimming.arm_means);
-    visit("power", swimming.power, omitted_if_none);
-    visit("arm_phase_order", swimming.arm_phase_order);
-  }
+  BEADSWIM_FIELDS(swimmers, velocity, velocity_deviation, speed_along_axis, mean_flow, arm_amplitudes,
+                  arm_means, (power, omitted_if_none), arm_phase_order)
 };
 
 /// State of a swarm at the end of a base cycle.
@@ -76,18 +63,8 @@ struct SwarmStatistics {
   std::optional<Spread> nearest_neighbour;  ///< distance to nearest swimmer [length]; empty if there is none
   double kinetic_energy = 0;                ///< kinetic energy of all beads [energy]
 
-  static void visit_fields(auto&& visit, auto& swarm) {
-    visit("index", swarm.index);
-    visit("swimmers", swarm.swimmers);
-    visit("swimming", swarm.swimming);
-    visit("mean_axis", swarm.mean_axis);
-    visit("polar_order", swarm.polar_order);
-    visit("nematic_order", swarm.nematic_order);
-    visit("director", swarm.director);
-    visit("rotation", swarm.rotation);
-    visit("nearest_neighbour", swarm.nearest_neighbour);
-    visit("kinetic_energy", swarm.kinetic_energy);
-  }
+  BEADSWIM_FIELDS(index, swimmers, swimming, mean_axis, polar_order, nematic_order, director, rotation,
+                  nearest_neighbour, kinetic_energy)
 };
 
 /// Evaluates the statistics of a swarm at the end of base cycle `index`. Distances to nearest neighbours are

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <numbers>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
 namespace beadswim {
@@ -21,10 +22,7 @@ struct BackgroundFlow {
 
   bool operator==(const BackgroundFlow&) const = default;
 
-  static void visit_fields(auto&& visit, auto& flow) {
-    visit("velocity_gradient", flow.velocity_gradient);
-    visit("velocity", flow.velocity);
-  }
+  BEADSWIM_FIELDS(velocity_gradient, velocity)
 };
 
 }  // namespace beadswim

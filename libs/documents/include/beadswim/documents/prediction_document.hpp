@@ -17,15 +17,8 @@ struct PredictionDocument : LayoutPredictions {
   Json study{};                     ///< study of the layout (layout_document.hpp)
   std::optional<Layout> scene{};    ///< nullopt for large swarms, or if unknown
 
-  static void visit_fields(auto&& visit, auto& document) {  // scene_to_json() converts `scene`
-    visit("units", document.units);
-    visit("swimmer", document.swimmer);
-    visit("predictions", document.predictions);
-    visit("left_out", document.left_out);
-    visit("warnings", document.warnings);
-    visit("study", document.study, omitted_if_none);
-    visit("provenance", document.provenance);
-  }
+  // scene_to_json() converts `scene`.
+  BEADSWIM_FIELDS(units, swimmer, predictions, left_out, warnings, (study, omitted_if_none), provenance)
 };
 
 /// Returns the document as JSON.

@@ -35,12 +35,7 @@ struct SwimmerRecord {
   std::optional<double> period;                        ///< driving period [time]; nullopt: the base period
   std::optional<SwimmerUncertainty> uncertainty = {};  ///< of the last cycle; nullopt if unknown
 
-  static void visit_fields(auto&& visit, auto& swimmer) {
-    visit("id", swimmer.id);
-    visit("period", swimmer.period, omitted_if_none);
-    visit("cycles", swimmer.cycles);
-    visit("uncertainty", swimmer.uncertainty, omitted_if_none);
-  }
+  BEADSWIM_FIELDS(id, (period, omitted_if_none), cycles, (uncertainty, omitted_if_none))
 };
 
 /// Largest number of swimmers for which a run record contains statistics of each swimmer, and a run record or
@@ -65,11 +60,7 @@ struct DrivingRecord {
   std::optional<std::array<double, 2>> amplitude;  ///< A, B of beads 1 and 3 [mass length/time^2]
   std::optional<double> phase;                     ///< driving phase alpha [radian]
 
-  static void visit_fields(auto&& visit, auto& driving) {
-    visit("period", driving.period);
-    visit("amplitude", driving.amplitude, omitted_if_none);
-    visit("phase", driving.phase, omitted_if_none);
-  }
+  BEADSWIM_FIELDS(period, (amplitude, omitted_if_none), (phase, omitted_if_none))
 
   bool operator==(const DrivingRecord&) const = default;
 };
@@ -82,10 +73,7 @@ struct MomentumRecord {
   Vec3 total = Vec3::Zero();
   Vec3 initial = Vec3::Zero();
 
-  static void visit_fields(auto&& visit, auto& momentum) {
-    visit("total", momentum.total);
-    visit("initial", momentum.initial);
-  }
+  BEADSWIM_FIELDS(total, initial)
 };
 
 /// Dimensionless numbers of the run. nu: kinematic viscosity; omega: angular frequency of the base period.
@@ -94,21 +82,14 @@ struct DimensionlessNumbers {
   double penetration_depth_over_radius = 0;  ///< sqrt(2 nu/omega) / smallest bead radius
   std::optional<double> mach;                ///< largest bead speed in the run / lattice speed of sound
 
-  static void visit_fields(auto&& visit, auto& numbers) {
-    visit("reynolds_bead", numbers.reynolds_bead);
-    visit("penetration_depth_over_radius", numbers.penetration_depth_over_radius);
-    visit("mach", numbers.mach);
-  }
+  BEADSWIM_FIELDS(reynolds_bead, penetration_depth_over_radius, mach)
 };
 
 /// A box of cells.
 struct CellBoxRecord {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  ///< corners [length]
 
-  static void visit_fields(auto&& visit, auto& box) {
-    visit("lower", box.lower);
-    visit("upper", box.upper);
-  }
+  BEADSWIM_FIELDS(lower, upper)
 };
 
 /// A level of cells at the end of a lattice run.
@@ -117,11 +98,7 @@ struct LevelRecord {
   std::vector<CellBoxRecord> boxes;  ///< boxes that the level fills
   std::int64_t cells = 0;            ///< number of cells
 
-  static void visit_fields(auto&& visit, auto& level) {
-    visit("cell", level.cell);
-    visit("boxes", level.boxes);
-    visit("cells", level.cells);
-  }
+  BEADSWIM_FIELDS(cell, boxes, cells)
 };
 
 /// Discretisation of the scene in a lattice run. All quantities but `levels` are those of the finest cells.
@@ -139,20 +116,9 @@ struct LatticeResolution {
   std::string precision;                     ///< "double" or "single"
   std::vector<LevelRecord> levels;           ///< coarsest first
 
-  static void visit_fields(auto&& visit, auto& resolution) {
-    visit("cells_per_radius", resolution.cells_per_radius);
-    visit("cell_size", resolution.cell_size);
-    visit("time_step", resolution.time_step);
-    visit("relaxation_time", resolution.relaxation_time);
-    visit("kinematic_viscosity_lattice", resolution.kinematic_viscosity_lattice);
-    visit("steps_per_cycle", resolution.steps_per_cycle);
-    visit("bead_boundary", resolution.bead_boundary);
-    visit("precision", resolution.precision);
-    visit("density_on_lattice", resolution.density_on_lattice, omitted_if_none);
-    visit("radius_on_lattice", resolution.radius_on_lattice, omitted_if_none);
-    visit("angular_softening", resolution.angular_softening, omitted_if_none);
-    visit("levels", resolution.levels);
-  }
+  BEADSWIM_FIELDS(cells_per_radius, cell_size, time_step, relaxation_time, kinematic_viscosity_lattice,
+                  steps_per_cycle, bead_boundary, precision, (density_on_lattice, omitted_if_none),
+                  (radius_on_lattice, omitted_if_none), (angular_softening, omitted_if_none), levels)
 };
 
 /// Lubrication and contact of beads that are close to each other or to images of beads.
@@ -163,13 +129,7 @@ struct NearContactRecord {
   double tangential_cut_off = 0;       ///< gap below which lubrication corrects tangential motion [length]
   double friction = 0;                 ///< coefficient of Coulomb friction
 
-  static void visit_fields(auto&& visit, auto& contact) {
-    visit("smallest_gap", contact.smallest_gap);
-    visit("lubrication", contact.lubrication);
-    visit("normal_cut_off", contact.normal_cut_off);
-    visit("tangential_cut_off", contact.tangential_cut_off);
-    visit("friction", contact.friction);
-  }
+  BEADSWIM_FIELDS(smallest_gap, lubrication, normal_cut_off, tangential_cut_off, friction)
 };
 
 /// Discretisation and work of a run with a mobility model.
@@ -185,19 +145,9 @@ struct MobilityRecord {
   std::optional<double> cut_off, mesh_spacing;  ///< parameters of the Ewald sum [length]; nullopt: direct sum
   std::optional<double> smallest_gap;           ///< smallest gap that caused repulsion [length]
 
-  static void visit_fields(auto&& visit, auto& mobility) {
-    visit("time_step", mobility.time_step);
-    visit("steps_per_cycle", mobility.steps_per_cycle);
-    visit("tolerance", mobility.tolerance);
-    visit("products", mobility.products);
-    visit("multipole_order", mobility.multipole_order, omitted_if_none);
-    visit("reynolds_stress", mobility.reynolds_stress, omitted_if_none);
-    visit("iterations", mobility.iterations, omitted_if_none);
-    visit("residual", mobility.residual, omitted_if_none);
-    visit("cut_off", mobility.cut_off);
-    visit("mesh_spacing", mobility.mesh_spacing);
-    visit("smallest_gap", mobility.smallest_gap);
-  }
+  BEADSWIM_FIELDS(time_step, steps_per_cycle, tolerance, products, (multipole_order, omitted_if_none),
+                  (reynolds_stress, omitted_if_none), (iterations, omitted_if_none),
+                  (residual, omitted_if_none), cut_off, mesh_spacing, smallest_gap)
 };
 
 /// Communication of a rank per lattice step. Each number is the maximum over all ranks.
@@ -206,11 +156,7 @@ struct CommunicationRecord {
   double messages_per_step = 0;
   double bytes_per_step = 0;
 
-  static void visit_fields(auto&& visit, auto& sent) {
-    visit("neighbours", sent.neighbours);
-    visit("messages_per_step", sent.messages_per_step);
-    visit("bytes_per_step", sent.bytes_per_step);
-  }
+  BEADSWIM_FIELDS(neighbours, messages_per_step, bytes_per_step)
 };
 
 /// Cost of a run, including earlier runs that it continues from a checkpoint.
@@ -224,16 +170,8 @@ struct RunCost {
   std::int64_t peak_memory_bytes = 0;
   std::optional<CommunicationRecord> communication;  ///< nullopt without a lattice, or if unknown
 
-  static void visit_fields(auto&& visit, auto& cost) {
-    visit("wall_seconds", cost.wall_seconds);
-    visit("core_seconds", cost.core_seconds);
-    visit("cycles", cost.cycles);
-    visit("ranks", cost.ranks);
-    visit("cell_updates", cost.cell_updates);
-    visit("mlups", cost.mlups);
-    visit("peak_memory_bytes", cost.peak_memory_bytes);
-    visit("communication", cost.communication, omitted_if_none);
-  }
+  BEADSWIM_FIELDS(wall_seconds, core_seconds, cycles, ranks, cell_updates, mlups, peak_memory_bytes,
+                  (communication, omitted_if_none))
 };
 
 /// Relative errors that are expected in a run; for the arm amplitudes, of d1 and d2.
@@ -241,10 +179,7 @@ struct ExpectedErrorRecord {
   double velocity = 0;
   std::array<double, 2> arm_amplitudes{};
 
-  static void visit_fields(auto&& visit, auto& error) {
-    visit("velocity", error.velocity);
-    visit("arm_amplitudes", error.arm_amplitudes);
-  }
+  BEADSWIM_FIELDS(velocity, arm_amplitudes)
 };
 
 /// A warning about a run: a code for programs, and a message for users.
@@ -252,10 +187,7 @@ struct RunWarning {
   std::string code;
   std::string message;
 
-  static void visit_fields(auto&& visit, auto& warning) {
-    visit("code", warning.code);
-    visit("message", warning.message);
-  }
+  BEADSWIM_FIELDS(code, message)
 };
 
 /// The run record. In JSON, a member that is visited with omitted_if_none is absent if it has no value; any
@@ -286,31 +218,12 @@ struct RunRecord {
   std::optional<Json> provenance;
   std::optional<Layout> scene;  ///< nullopt for more than max_swimmers_listed swimmers, or if unknown
 
-  static void visit_fields(auto&& visit, auto& record) {
-    visit("model", record.model);
-    visit("status", record.status);
-    visit("units", record.units);
-    visit("domain", record.domain);
-    visit("flow", record.flow, omitted_if_none);
-    visit("body_force", record.body_force, omitted_if_none);
-    visit("driving", record.driving);
-    visit("swimmers", record.swimmers, omitted_if_none);
-    visit("swarm", record.swarm, omitted_if_none);
-    visit("momentum", record.momentum);
-    visit("mass_relative_change", record.mass_relative_change);
-    visit("dimensionless", record.dimensionless);
-    visit("resolution", record.resolution);
-    visit("reason", record.reason, omitted_if_none);
-    visit("mobility", record.mobility, omitted_if_none);
-    visit("near_contact", record.near_contact, omitted_if_none);
-    visit("expected_error", record.expected_error, omitted_if_none);
-    visit("warnings", record.warnings);
-    visit("cost", record.cost, omitted_if_none);
-    visit("state_sha256", record.state_sha256);
-    visit("study", record.study, omitted_if_none);
-    visit("request_sha256", record.request_sha256, omitted_if_none);
-    visit("provenance", record.provenance, omitted_if_none);
-  }
+  BEADSWIM_FIELDS(model, status, units, domain, (flow, omitted_if_none), (body_force, omitted_if_none),
+                  driving, (swimmers, omitted_if_none), (swarm, omitted_if_none), momentum,
+                  mass_relative_change, dimensionless, resolution, (reason, omitted_if_none),
+                  (mobility, omitted_if_none), (near_contact, omitted_if_none),
+                  (expected_error, omitted_if_none), warnings, (cost, omitted_if_none), state_sha256,
+                  (study, omitted_if_none), (request_sha256, omitted_if_none), (provenance, omitted_if_none))
 };
 
 /// Selects whether cost and provenance are written. They differ between runs with identical results.

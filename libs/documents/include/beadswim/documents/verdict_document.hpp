@@ -21,11 +21,7 @@ struct VerdictCost {
   double core_seconds = 0;
   std::int64_t cell_updates = 0;
 
-  static void visit_fields(auto&& visit, auto& cost) {
-    visit("wall_seconds", cost.wall_seconds);
-    visit("core_seconds", cost.core_seconds);
-    visit("cell_updates", cost.cell_updates);
-  }
+  BEADSWIM_FIELDS(wall_seconds, core_seconds, cell_updates)
 };
 
 /// Rows of a comparison, the method that determines the verdict, and the allowed differences of the scenes.
@@ -36,13 +32,7 @@ struct VerdictDocument {
   std::vector<SceneDifference> scene_differences{};
   Json study{};  ///< study of the first run (layout_document.hpp); null: none
 
-  static void visit_fields(auto&& visit, auto& document) {
-    visit("decided_by", document.decided_by);
-    visit("rows", document.rows);
-    visit("scene_differences", document.scene_differences);
-    visit("cost", document.cost);
-    visit("study", document.study, omitted_if_none);
-  }
+  BEADSWIM_FIELDS(decided_by, rows, scene_differences, cost, (study, omitted_if_none))
 };
 
 /// Returns the sum of the costs of all runs; nullopt if the cost of a run is not known.
