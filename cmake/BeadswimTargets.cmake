@@ -100,7 +100,7 @@ function(beadswim_kernels target)
   set(flags_of_x86_64_v3 -march=x86-64-v3)
   set(flags_of_x86_64_v4 -march=x86-64-v4 -mprefer-vector-width=512)
   if(x86_64_v4 IN_LIST BEADSWIM_INSTRUCTION_SETS)
-    target_compile_definitions(${target} PRIVATE BEADSWIM_ALL_INSTRUCTION_SETS) # core/kernel_choice.hpp
+    target_compile_definitions(${target} PRIVATE BEADSWIM_ALL_INSTRUCTION_SETS) # core/kernel.hpp
   endif()
   foreach(set ${BEADSWIM_INSTRUCTION_SETS})
     set(kernels ${target}_kernels_${set})

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/core/sha256.hpp"
 #include "beadswim/core/version.hpp"
 #include "beadswim/core/xml_text.hpp"

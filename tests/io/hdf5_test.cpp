@@ -8,7 +8,7 @@
 #include <functional>
 #include <numeric>
 
-#include "beadswim/core/data_error.hpp"
+#include "beadswim/core/error.hpp"
 
 // Tests that hyperslabs of datasets are written and read at their places, and that contents which are not as
 // expected are refused with their place.

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "beadswim/core/processor.hpp"
+#include "beadswim/core/version.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/lattice/fluid_step.hpp"
 #include "scenes.hpp"

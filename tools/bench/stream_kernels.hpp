@@ -27,7 +27,7 @@ struct StreamKernels {
   void stream_row(const StreamRow<float>& row) const { stream_row_fp32(row); }
 
   static const StreamKernels baseline, x86_64_v3,
-      x86_64_v4;  ///< of each instruction set (core/kernel_choice.hpp)
+      x86_64_v4;  ///< of each instruction set (core/kernel.hpp)
 };
 
 }  // namespace beadswim

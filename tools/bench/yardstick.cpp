@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "beadswim/core/huge_pages.hpp"
-#include "beadswim/core/kernel_choice.hpp"
+#include "beadswim/core/kernel.hpp"
 #include "beadswim/core/round_up.hpp"
 #include "stream_kernels.hpp"
 

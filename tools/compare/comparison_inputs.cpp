@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/documents/results.hpp"
 #include "beadswim/scene/units.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/tools/named_flags.hpp"

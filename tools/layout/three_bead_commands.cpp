@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/swarm.hpp"
 #include "beadswim/tools/named_flags.hpp"

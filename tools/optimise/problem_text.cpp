@@ -7,7 +7,7 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {

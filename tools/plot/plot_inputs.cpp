@@ -7,7 +7,7 @@
 
 #include "beadswim/compare/comparison.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/io/document_stream.hpp"

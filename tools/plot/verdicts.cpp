@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"

@@ -2,18 +2,16 @@
 
 #include <cmath>
 
-#include "beadswim/core/bounds.hpp"
-
 namespace beadswim {
 
 CellList::CellList(std::span<const Vec3> positions, double cutoff, const Vec3& lengths) : lengths_(lengths) {
-  const Bounds bounds(positions);
-  if (!is_periodic()) low_ = bounds.low;
+  const Eigen::AlignedBox3d bounds = bounding_box(positions);
+  if (!is_periodic()) low_ = bounds.min();
   // `max_count` is an upper bound of the number of cells along each axis. It limits the number of all cells
   // to about eight per point, so that memory is linear in the number of points.
   const double max_count = std::cbrt(8.0 * static_cast<double>(positions.size())) + 1;
   for (int a = 0; a < 3; ++a) {
-    const double extent = is_periodic() ? lengths_[a] : bounds.high[a] - bounds.low[a];
+    const double extent = is_periodic() ? lengths_[a] : bounds.sizes()[a];
     const bool is_finite = std::isfinite(extent);  // if false, one cell contains all points along this axis
     counts_[a] =
         is_finite ? static_cast<int>(std::clamp(std::floor(2 * extent / cutoff), 1.0, max_count)) : 1;

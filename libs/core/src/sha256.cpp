@@ -7,31 +7,23 @@
 #include <new>
 
 namespace beadswim {
-namespace {
 
-EVP_MD_CTX* context_of(void* context) {
-  return static_cast<EVP_MD_CTX*>(context);
-}
-
-}  // namespace
-
-void Sha256::FreeContext::operator()(void* context) const {
-  EVP_MD_CTX_free(context_of(context));
+void Sha256::FreeContext::operator()(evp_md_ctx_st* context) const {
+  EVP_MD_CTX_free(context);
 }
 
 Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
-  if (!context_ || EVP_DigestInit_ex(context_of(context_.get()), EVP_sha256(), nullptr) != 1)
-    throw std::bad_alloc();
+  if (!context_ || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1) throw std::bad_alloc();
 }
 
 void Sha256::update(std::span<const std::byte> bytes) {
-  EVP_DigestUpdate(context_of(context_.get()), bytes.data(), bytes.size());
+  EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size());
 }
 
 std::string Sha256::hexadecimal() {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
   unsigned length = 0;
-  EVP_DigestFinal_ex(context_of(context_.get()), digest.data(), &length);
+  EVP_DigestFinal_ex(context_.get(), digest.data(), &length);
   return fmt::format("{:02x}", fmt::join(digest.begin(), digest.begin() + length, ""));
 }
 

@@ -1,5 +1,7 @@
 #include "beadswim/core/version.hpp"
 
+#include <fstream>
+
 #include "revision.hpp"
 
 namespace beadswim {
@@ -9,6 +11,15 @@ std::string version() {
 }
 std::string revision() {
   return BEADSWIM_REVISION;
+}
+
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t name = line.find(": ");
+    if (line.starts_with("model name") && name != std::string::npos) return line.substr(name + 2);
+  }
+  return "unknown";
 }
 
 }  // namespace beadswim

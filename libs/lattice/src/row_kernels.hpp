@@ -52,7 +52,7 @@ struct RowKernels {
   }
 
   static const RowKernels baseline, x86_64_v3,
-      x86_64_v4;  ///< of each instruction set (core/kernel_choice.hpp)
+      x86_64_v4;  ///< of each instruction set (core/kernel.hpp)
 };
 
 }  // namespace beadswim

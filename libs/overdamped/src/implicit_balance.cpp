@@ -4,7 +4,7 @@
 #include <limits>
 #include <tuple>
 
-#include "beadswim/core/rank_share.hpp"
+#include "beadswim/core/communicator.hpp"
 
 namespace beadswim {
 namespace {

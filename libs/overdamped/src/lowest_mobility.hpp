@@ -6,7 +6,6 @@
 
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/core/half_space.hpp"
 #include "beadswim/mobility/mobility_product.hpp"
 
 namespace beadswim {

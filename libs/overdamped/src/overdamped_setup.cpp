@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/core/bounds.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
+#include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/step_mobility.hpp"
 
 namespace beadswim {
@@ -106,8 +106,8 @@ void check_net_forces(const OverdampedScene& scene, const std::string& source) {
 /// beads at rest. Its images change the velocity of a lone swimmer by some 0.2 %.
 Box box_for_open_space(const OverdampedScene& scene) {
   constexpr double extents = 5;
-  const Bounds bounds(start_positions(scene));
-  const double extent = (bounds.high - bounds.low).maxCoeff() + 2 * largest_radius(scene.types);
+  const double extent =
+      bounding_box(start_positions(scene)).sizes().maxCoeff() + 2 * largest_radius(scene.types);
   return {.lengths = Vec3::Constant(extents * extent), .boundary = {}};
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/core/data_error.hpp"
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/core/error.hpp"
 #include "beadswim/core/keyed_random.hpp"
-#include "beadswim/core/rank_share.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/mobility/pair_mobility.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"

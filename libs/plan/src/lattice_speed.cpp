@@ -12,7 +12,6 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/median.hpp"
-#include "beadswim/core/processor.hpp"
 #include "beadswim/core/version.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"

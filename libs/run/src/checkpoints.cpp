@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "beadswim/core/data_error.hpp"
+#include "beadswim/core/error.hpp"
 #include "beadswim/core/version.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "run_parts.hpp"

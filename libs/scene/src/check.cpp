@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/scene/units.hpp"

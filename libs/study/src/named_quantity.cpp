@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/scene/presets.hpp"
 
 namespace beadswim {

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/study/named_quantity.hpp"
 

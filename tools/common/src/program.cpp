@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/core/version.hpp"
 #include "flag_names.hpp"
 #include "help_formatter.hpp"

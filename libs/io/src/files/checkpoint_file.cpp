@@ -11,7 +11,7 @@
 #include <sstream>
 #include <type_traits>
 
-#include "beadswim/core/data_error.hpp"
+#include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 #include "part_file.hpp"
 

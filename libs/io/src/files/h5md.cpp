@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "beadswim/core/data_error.hpp"
+#include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 #include "part_file.hpp"
 

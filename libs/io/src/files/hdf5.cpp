@@ -7,7 +7,7 @@
 #include <functional>
 #include <numeric>
 
-#include "beadswim/core/data_error.hpp"
+#include "beadswim/core/error.hpp"
 
 namespace beadswim {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <limits>
 
-#include "beadswim/core/data_error.hpp"
+#include "beadswim/core/error.hpp"
 
 namespace beadswim {
 namespace {

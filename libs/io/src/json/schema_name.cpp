@@ -7,7 +7,7 @@
 #include <regex>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "json_pointer.hpp"
 
 namespace beadswim {

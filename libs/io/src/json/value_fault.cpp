@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "json_pointer.hpp"
 #include "subschema.hpp"
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/core/traffic.hpp"
 
 namespace beadswim {
 

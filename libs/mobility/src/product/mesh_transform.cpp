@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <new>
 
-#include "beadswim/core/rank_share.hpp"
+#include "beadswim/core/communicator.hpp"
 
 namespace beadswim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "beadswim/core/kernel_choice.hpp"
+#include "beadswim/core/kernel.hpp"
 
 // Kernels of a mobility product: sums over pairs of spheres, the exchange between beads and a mesh by
 // Gaussian windows, and the flow of Fourier modes of forces. mobility_kernels.cpp is compiled once per
@@ -101,7 +101,7 @@ struct MobilityKernels {
   void (*multiply_waves)(const WaveRow&, int fields, const FieldFactors* factors, double* const* values);
 
   static const MobilityKernels baseline, x86_64_v3,
-      x86_64_v4;  ///< of each instruction set (core/kernel_choice.hpp)
+      x86_64_v4;  ///< of each instruction set (core/kernel.hpp)
 };
 
 }  // namespace beadswim

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "beadswim/core/bounds.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
 #include "beadswim/mobility/near_field.hpp"
 #include "beadswim/mobility/particle_mesh.hpp"
@@ -70,12 +70,12 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
                    .tolerance = scene.tolerance};
   if (scene.memory) ewald.max_spacing = scene.memory->spacing;
   if (scene.box) return ewald;
-  const Bounds bounds(positions);
-  for (int a = 0; a < 3; ++a) ewald.lengths[a] = bounds.high[a] - bounds.low[a] + 2 * ewald.largest_radius;
+  const Eigen::AlignedBox3d bounds = bounding_box(positions);
+  for (int a = 0; a < 3; ++a) ewald.lengths[a] = bounds.sizes()[a] + 2 * ewald.largest_radius;
   if (const auto& half_space = scene.half_space) {
     ewald.lengths_with_mirror_points = ewald.lengths;
     (*ewald.lengths_with_mirror_points)[half_space->axis] =
-        2 * (half_space->height(bounds.high) + ewald.largest_radius);
+        2 * (half_space->height(bounds.max()) + ewald.largest_radius);
   }
   return ewald;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "beadswim/core/lanes.hpp"
+#include "beadswim/core/kernel.hpp"
 #include "mobility_kernels.hpp"
 #include "wall_reflection.hpp"
 
@@ -68,7 +68,7 @@ struct MomentKernels {
                          double* flows);
 
   static const MomentKernels baseline, x86_64_v3,
-      x86_64_v4;  ///< of each instruction set (core/kernel_choice.hpp)
+      x86_64_v4;  ///< of each instruction set (core/kernel.hpp)
 };
 
 }  // namespace beadswim

@@ -5,7 +5,6 @@
 
 #include "beadswim/core/cell_list.hpp"
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/core/rank_share.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "mobility_kernels.hpp"
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "beadswim/core/bounds.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
 #include "beadswim/mobility/force_moments.hpp"
 #include "memory_field.hpp"
@@ -155,7 +155,8 @@ void ParticleMesh::Mesh::set_memory() {
 }
 
 void ParticleMesh::Mesh::fit_to_beads(std::span<const Vec3> positions) {
-  const auto& [low, high] = Bounds(positions);
+  const Eigen::AlignedBox3d bounds = bounding_box(positions);
+  const Vec3 &low = bounds.min(), &high = bounds.max();
   constexpr double max_points = 1e10;
   const Vec3 wanted = 2 * ((high - low) / plan.spacing + Vec3::Constant(plan.window));
   if (!(wanted.prod() < max_points)) {

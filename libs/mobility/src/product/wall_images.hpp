@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/core/half_space.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/particle_mesh.hpp"
 #include "wall_reflection.hpp"

@@ -11,7 +11,7 @@
 
 #include "beadswim/compare/driving_power.hpp"
 #include "beadswim/compare/swimming.hpp"
-#include "beadswim/core/data_error.hpp"
+#include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 
 namespace beadswim {

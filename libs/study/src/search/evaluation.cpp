@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/core/reason_against.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/plan/run_plan.hpp"

@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <vector>
 
-#include "beadswim/core/half_space.hpp"
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/core/vec3.hpp"
 
@@ -52,12 +53,28 @@ struct Box {
 
   bool operator==(const Box&) const = default;
 
-  static void visit_fields(auto&& visit, auto& box) {
-    visit("lengths", box.lengths);
-    visit("boundary", box.boundary);
-    visit("walls", box.walls);
-  }
+  BEADSWIM_FIELDS(lengths, boundary, walls)
 };
+
+/// Fluid over a plane no-slip wall: where the coordinate along `axis` is above 0.
+struct HalfSpace {
+  int axis = 2;
+
+  double height(const Vec3& position) const { return position[axis]; }
+  Vec3 mirrored(Vec3 position) const {
+    position[axis] = -position[axis];
+    return position;
+  }
+
+  bool operator==(const HalfSpace&) const = default;
+
+  BEADSWIM_FIELDS(axis)
+};
+
+/// Returns the half-space whose wall is across the axis "x", "y" or "z".
+inline HalfSpace half_space_across(std::string_view axis) {
+  return {.axis = static_cast<int>(std::string_view("xyz").find(axis))};
+}
 
 /// The part of space that the fluid fills: all of space if it has neither box nor half-space. It has at most
 /// one of them.
@@ -67,10 +84,7 @@ struct Domain {
 
   bool operator==(const Domain&) const = default;
 
-  static void visit_fields(auto&& visit, auto& domain) {
-    visit("box", domain.box);
-    visit("half_space", domain.half_space);
-  }
+  BEADSWIM_FIELDS(box, half_space)
 };
 
 /// Returns, for each periodic axis, the number of the periodic copy of the box that contains the position:

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace beadswim {
@@ -53,5 +54,26 @@ void broadcast(Bytes& bytes, const Communicator& communicator, int root = 0) {
 /// Returns the number of ranks of the communicator that share memory with this rank, this rank included.
 /// Collective.
 int count_ranks_on_node(const Communicator& communicator);
+
+/// Returns the half-open range [first, end) of the indices that belong to one rank, if n consecutive elements
+/// are divided evenly among the ranks.
+inline std::pair<std::int64_t, std::int64_t> rank_share(std::int64_t n, int rank, int ranks) {
+  return {n * rank / ranks, n * (rank + 1) / ranks};
+}
+
+/// Number and total size of the messages that one rank has sent to other ranks.
+struct Traffic {
+  std::int64_t messages = 0;
+  std::int64_t bytes = 0;
+
+  void add_message(std::int64_t size) {
+    ++messages;
+    bytes += size;
+  }
+  void add(const Traffic& other) {
+    messages += other.messages;
+    bytes += other.bytes;
+  }
+};
 
 }  // namespace beadswim

@@ -36,6 +36,15 @@ class SolverError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Invalid data in a file or in a message from another rank, for example because the file is damaged. The
+/// message states what is wrong. The function that opens the file adds the remedy.
+class DataError : public SolverError {
+ public:
+  using SolverError::SolverError;
+  /// Constructs the message "PLACE: fault". `place` is a file or an object in a file.
+  DataError(const std::string& place, const std::string& fault) : SolverError(place + ": " + fault) {}
+};
+
 /// Failure because a calculation has become unstable and has produced a non-finite number. The program then
 /// ends with exit status 3.
 class NotFiniteError : public SolverError {

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "beadswim/core/data_error.hpp"
+#include "beadswim/core/error.hpp"
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 

@@ -3,15 +3,39 @@
 #include <array>
 #include <utility>
 
-#include "beadswim/core/lanes.hpp"
-#include "beadswim/core/order_free_cut.hpp"
+#include "beadswim/core/kernel.hpp"
 #include "beadswim/core/order_free_sum.hpp"
 
-namespace beadswim {
+// Terms of OrderFreeSums (sums whose bits do not depend on the order of their terms) in vectorised loops:
+// each term is split into a coarse and a fine part, in double precision.
+//
+// Adding and then subtracting 1.5 * 2^22 rounds a number x with |x| < 2^21 to a multiple of 2^-30, ties to
+// even, as OrderFreeSum does. This multiple is the coarse part. The fine part is the remainder, rounded in
+// the same way to a multiple of 2^-62. The sum of up to 4096 coarse parts with absolute values below 2^10 is
+// exact in double precision, in any order. The sum of their fine parts is exact too.
 
-/// N sums whose bits do not depend on the order of their terms (order_free_sum.hpp). Each sum has 8 partial
-/// sums, the lanes of a vector register. Kernels add terms that are already split into coarse and fine parts
-/// (order_free_cut.hpp).
+namespace beadswim {
+namespace order_free {
+
+constexpr double largest_term = 0x1p10;  ///< exclusive upper bound of |term|
+constexpr int max_terms = 4096;          ///< maximum number of terms whose parts have exact sums in doubles
+
+// In the following two functions, `Value` is double or a vector of doubles.
+
+template <class Value>
+BEADSWIM_KERNEL Value coarse_part(Value x) {
+  constexpr double rounder = 0x1.8p22;
+  return x + rounder - rounder;
+}
+template <class Value>
+BEADSWIM_KERNEL Value fine_part(Value x, Value coarse) {
+  constexpr double rounder = 0x1.8p-10;
+  return x - coarse + rounder - rounder;
+}
+
+}  // namespace order_free
+
+/// N OrderFreeSums. Each has 8 partial sums, the lanes of a vector register, to which kernels add terms.
 template <int N>
 struct OrderFreeLanes {
   static constexpr int lanes = beadswim::lanes;
@@ -45,4 +69,35 @@ struct OrderFreeLanes {
   }
 };
 
+namespace order_free {
+
+/// Adds the terms terms[n][0], ..., terms[n][places - 1] to sum n, for each of the N sums. `places` is a
+/// multiple of the number of lanes. If a term is NaN or |term| >= largest_term, adds nothing and returns
+/// false.
+template <int N, int capacity>
+BEADSWIM_KERNEL bool add_terms(const double (&terms)[N][capacity], int places, OrderFreeLanes<N>& sums) {
+  Lanes coarse[N], fine[N];
+  auto are_valid = Lanes{} == Lanes{};  // starts with true in all lanes
+  __builtin_memcpy(coarse, sums.coarse, sizeof coarse);
+  __builtin_memcpy(fine, sums.fine, sizeof fine);
+#pragma GCC unroll 12
+  for (int n = 0; n < N; ++n) {
+    for (int k = 0; k < places; k += lanes) {
+      Lanes term;
+      __builtin_memcpy(&term, &terms[n][k], sizeof term);
+      const Lanes multiple = coarse_part(term);
+      coarse[n] += multiple;
+      fine[n] += fine_part(term, multiple);
+      are_valid &= (term < largest_term) & (term > -largest_term);  // false for NaN
+    }
+  }
+  for (int lane = 0; lane < lanes; ++lane) {
+    if (!are_valid[lane]) return false;
+  }
+  __builtin_memcpy(sums.coarse, coarse, sizeof coarse);
+  __builtin_memcpy(sums.fine, fine, sizeof fine);
+  return true;
+}
+
+}  // namespace order_free
 }  // namespace beadswim

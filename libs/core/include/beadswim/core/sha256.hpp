@@ -4,6 +4,8 @@
 #include <span>
 #include <string>
 
+struct evp_md_ctx_st;  // of OpenSSL
+
 namespace beadswim {
 
 /// Computes the SHA-256 hash of a stream of bytes.
@@ -16,9 +18,9 @@ class Sha256 {
 
  private:
   struct FreeContext {
-    void operator()(void* context) const;
+    void operator()(evp_md_ctx_st* context) const;
   };
-  std::unique_ptr<void, FreeContext> context_;
+  std::unique_ptr<evp_md_ctx_st, FreeContext> context_;
 };
 
 }  // namespace beadswim

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/core/traffic.hpp"
 #include "beadswim/coupling/bead_images.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
 #include "beadswim/coupling/fault.hpp"

@@ -7,7 +7,6 @@
 
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/core/traffic.hpp"
 #include "beadswim/lattice/block.hpp"
 #include "beadswim/lattice/populations.hpp"
 

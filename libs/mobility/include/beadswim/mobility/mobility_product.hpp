@@ -9,7 +9,6 @@
 #include "beadswim/core/background_flow.hpp"
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/core/half_space.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
 #include "beadswim/mobility/fluid_memory.hpp"

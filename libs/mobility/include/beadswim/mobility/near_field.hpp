@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "beadswim/core/box.hpp"
-#include "beadswim/core/half_space.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/line_map_table.hpp"
 #include "beadswim/mobility/near_map.hpp"

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "beadswim/core/half_space.hpp"
+#include "beadswim/core/box.hpp"
 
 namespace beadswim {
 

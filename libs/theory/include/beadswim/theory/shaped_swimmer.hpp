@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "beadswim/core/background_flow.hpp"
-#include "beadswim/core/half_space.hpp"
+#include "beadswim/core/box.hpp"
 #include "beadswim/mobility/mobility_matrix.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/theory/stroke.hpp"

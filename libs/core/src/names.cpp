@@ -1,4 +1,4 @@
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
