@@ -17,7 +17,7 @@ TEST(Setting, MessagesNameItInWordsAndInAProgramByItsFlag) {
     return std::string(setting == Setting::relaxation_time ? "--relaxation-time" : "--other");
   });
   EXPECT_EQ(message(), "--relaxation-time: 0.5; take more --other");
-  set_setting_names(to_text<Setting>);
+  set_setting_names(words_of);
 }
 
 }  // namespace

@@ -80,8 +80,10 @@ def statements(text):
 def texts(root):
     """Returns place, texts of two words or more, and whether it throws (DataError apart, to which the function that catches it adds the remedy), of each statement of the sources."""
     sources = {p.relative_to(root): p.read_text() for f in ["libs", "tools"] for p in sorted((root / f).rglob("*.[ch]pp"))}
-    names = re.findall(r'\{(Setting::\w+), "([^"]+)"\}', "".join(sources.values()))  # in words, and then special flags
-    flags = {s: name if "-" in name else "--" + name.removeprefix("the ").lower().replace(" ", "-") for s, name in names}
+    all_text = "".join(sources.values())
+    settings = re.search(r"#define BEADSWIM_SETTINGS([\w, \\\n]+)\n//", all_text)
+    flags = {f"Setting::{name}": "--" + name.replace("_", "-") for name in re.findall(r"\w+", settings[1])}
+    flags |= dict(re.findall(r'\{(Setting::\w+), "([^"]+)"\}', all_text))  # special flags
     for path, source in sources.items():
         for line, code in statements(source):
             said = [" ".join(words.split()).strip(" :;,") for _, words, _ in joined(RUN.finditer(code), code, flags)]

@@ -152,7 +152,7 @@ TEST_F(CheckpointFile, NamesTheRemedyForUnexpectedContents) {
   } catch (const SolverError& error) {
     EXPECT_EQ(error.what(), folder.file("a") +
                                 ":/words: the dataset ends too early; take the run's other checkpoint "
-                                "(.ckpt.0 or .ckpt.1), or begin without a checkpoint");
+                                "(.ckpt.0 or .ckpt.1), or begin without restart");
   }
 }
 

@@ -104,7 +104,7 @@ TEST(RunSettings, AreNamedByWhatTellsARunFromOthers) {
   EXPECT_EQ(settings_text(settings, {}), "model lbm cells per radius 3 relaxation time 0.8");
   settings.lattice.precision = Precision::fp32;
   EXPECT_EQ(settings_text(settings, {Setting::lubrication, Setting::cycles}),
-            "model lbm cells per radius 3 relaxation time 0.8 precision single lubrication correction on");
+            "model lbm cells per radius 3 relaxation time 0.8 precision single lubrication on");
   settings.model = RunModel::multipole;
   EXPECT_EQ(settings_text(settings, {}), "model multipole multipole order 1");
 }

@@ -89,7 +89,7 @@ TEST(Methods, ThoseOfExactFlowRefuseBeadsThatAllButTouch) {
 
 TEST(Methods, MultipoleStrokeAsksForAMeasuredStroke) {
   EXPECT_THAT(refusal("multipole-stroke", ask(paper_swimmer(4800))),
-              testing::HasSubstr("give one with a run's record"));
+              testing::HasSubstr("give one with stroke record"));
 }
 
 TEST(Methods, AreFiniteWithOneOrBothForcesOff) {

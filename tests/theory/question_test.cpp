@@ -34,11 +34,11 @@ TEST(Warnings, SayThatTheDrivingIsBeyondSmallAmplitude) {
 
 // A = 0.5: arm 2 swings by half of 26.66, its gap is 12.
 TEST(Warnings, SayThatBeadsMeetWithinTheStroke) {
-  EXPECT_THAT(warnings(ask(driven_by(0.5)), tolerance),
-              ElementsAre(AllOf(HasSubstr("beads would touch during the stroke"),
-                                HasSubstr("9.056 and 13.33"), HasSubstr("at rest are 12 and 12"),
-                                HasSubstr("lower the amplitude or raise the stiffness")),
-                          HasSubstr("amplitude is not small")));
+  EXPECT_THAT(
+      warnings(ask(driven_by(0.5)), tolerance),
+      ElementsAre(AllOf(HasSubstr("beads would touch during the stroke"), HasSubstr("9.056 and 13.33"),
+                        HasSubstr("at rest are 12 and 12"), HasSubstr("lower amplitude or raise stiffness")),
+                  HasSubstr("amplitude is not small")));
 }
 
 TEST(Warnings, AreGivenWithoutAnExactReferenceToo) {

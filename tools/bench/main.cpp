@@ -52,7 +52,7 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
                    "Largest relative error of the bead velocities in the mobility products of --beads [1]")
       ->type_name("E")
       ->needs(beads)
-      ->check(product_tolerance())
+      ->check(number_between(1e-12, 1e-2))
       ->capture_default_str();
   program
       ->add_option("--multipole-order", options.products.multipole_order,

@@ -18,7 +18,7 @@ CLI::Validator validator_of(const SettingRow& row) {
   const auto fault = [row](const std::string& text) {
     std::string why = finite_positive()(text);
     if (!why.empty() || std::stod(text) > row.low) return why;
-    return fmt::format("the {} {} is not above {}, so {}", to_text(row.setting), text, row.low, row.too_low);
+    return fmt::format("the {} {} is not above {}, so {}", words_of(row.setting), text, row.low, row.too_low);
   };
   return CLI::Validator(fault, "");
 }

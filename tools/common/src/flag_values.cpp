@@ -104,10 +104,6 @@ CLI::Validator number_between(double low, double high) {
                      fmt::format("the value must be a number from {} to {}", low, high));
 }
 
-CLI::Validator product_tolerance() {
-  return number_between(1e-12, 1e-2);
-}
-
 CLI::Validator finite_non_negative() {
   return number_that([](double x) { return x >= 0; }, "the value must be a finite number, 0 or greater");
 }
@@ -115,23 +111,21 @@ CLI::Validator finite_non_negative() {
 CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each) {
   const auto fault = [counts = std::move(counts), each = std::move(each)](const std::string& text) {
     const std::vector<std::string> parts = split_at_commas(text);
-    if (!counts.empty() && std::find(counts.begin(), counts.end(), parts.size()) == counts.end()) {
+    if (!counts.empty() && std::ranges::find(counts, parts.size()) == counts.end()) {
       return fmt::format("\"{}\" has {} values, but {} are needed, separated by commas", text, parts.size(),
                          fmt::join(counts, " or "));
     }
-    for (const std::string& part : parts) {
-      const std::string part_fault = each(part);
-      if (!part_fault.empty()) return part_fault;
-    }
-    return std::string{};
+    std::string fault_of_part;
+    for (auto part = parts.begin(); part != parts.end() && fault_of_part.empty(); ++part)
+      fault_of_part = each(*part);
+    return fault_of_part;
   };
   return CLI::Validator(fault, "");
 }
 
 CLI::Validator one_of(std::vector<std::string> words) {
   const auto fault = [words = std::move(words)](const std::string& text) {
-    if (std::find(words.begin(), words.end(), text) != words.end()) return std::string{};
-    return format_unknown_name(text, words);
+    return std::ranges::find(words, text) != words.end() ? std::string{} : format_unknown_name(text, words);
   };
   return CLI::Validator(fault, "");
 }

@@ -1,8 +1,6 @@
-#include "help_formatter.hpp"
+#include <sstream>
 
 #include "beadswim/tools/program.hpp"
-
-#include <sstream>
 
 namespace beadswim {
 
@@ -25,6 +23,25 @@ std::string wrapped(const std::string& text, std::size_t indent) {
 
 namespace {
 
+/// Formats the help of a program. The first line of each flag contains its name and the type of its value.
+/// The next lines contain its description, followed by unit, default and "required" in brackets. If a flag
+/// has a unit, the description that is passed to CLI11 must end with the unit in brackets.
+///
+/// The program help2man converts the output of --help-all to a manual page. A heading *command* begins a
+/// section of this page. Lines that begin with $ are examples, which form one section for all commands.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option(const CLI::Option* option, bool is_positional) const override;
+  std::string make_help(const CLI::App* program, std::string name, CLI::AppFormatMode mode) const override;
+  std::string make_description(const CLI::App* program) const override;
+  std::string make_subcommand(const CLI::App* command) const override;
+  std::string make_subcommands(const CLI::App* program, CLI::AppFormatMode mode) const override;
+  std::string make_expanded(const CLI::App* command) const override;
+
+ private:
+  std::string make_flag_groups(const CLI::App* program, CLI::AppFormatMode mode) const;
+};
+
 /// Splits a flag's description of the form "sentence [unit]" into sentence and unit.
 std::pair<std::string, std::string> split_off_unit(const std::string& description) {
   const std::size_t start = description.rfind(" [");
@@ -43,8 +60,6 @@ std::string format_properties(const CLI::Option& option, const std::string& unit
   if (option.get_required()) parts.emplace_back("required");
   return parts.empty() ? "" : " [" + CLI::detail::join(parts, "; ") + "]";
 }
-
-}  // namespace
 
 std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
   std::string text = "  " + make_option_name(option, is_positional);
@@ -96,6 +111,12 @@ std::string HelpFormatter::make_expanded(const CLI::App* command) const {
   return "\n*" + full_name(*command) + "*\n\n" + make_description(command) + make_positionals(command) +
          make_flag_groups(command, CLI::AppFormatMode::Sub) +
          make_subcommands(command, CLI::AppFormatMode::All) + "\n" + make_footer(command);
+}
+
+}  // namespace
+
+std::shared_ptr<CLI::FormatterBase> help_formatter() {
+  return std::make_shared<HelpFormatter>();
 }
 
 }  // namespace beadswim

@@ -23,12 +23,8 @@ void add_absent_flag(CLI::App& command, const std::string& names, const std::str
 }
 
 CLI::Option* add_switch(CLI::App& command, const std::string& flag, bool& is_on, const std::string& help) {
-  return add_word(command, flag, {"on", "off"}, on_or_off(is_on), help,
+  return add_word(command, flag, {"on", "off"}, is_on ? "on" : "off", help,
                   [&is_on](const std::string& word) { is_on = word == "on"; });
-}
-
-std::string on_or_off(bool is_on) {
-  return is_on ? "on" : "off";
 }
 
 }  // namespace beadswim

@@ -5,15 +5,35 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/names.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/core/version.hpp"
-#include "flag_names.hpp"
-#include "help_formatter.hpp"
 
 namespace beadswim {
 namespace {
+
+/// Flags that are not the words of the setting with hyphens.
+const std::map<Setting, std::string> special_flags{
+    {Setting::free_quantity, "--free"},
+    {Setting::limit, "--subject-to"},
+    {Setting::output, "-o"},
+    {Setting::ranks, "mpirun -n"},
+    {Setting::refinement, "--refine"},
+    {Setting::stroke_record, "--stroke-from RUN.json"},
+    {Setting::unbounded, "beadswim-layout swimmer --unbounded"},
+};
+
+/// Returns the flag with which users set this setting of the libraries, for error messages.
+std::string flag_of(Setting setting) {
+  const auto special = special_flags.find(setting);
+  if (special != special_flags.end()) return special->second;
+  std::string flag = "--" + words_of(setting);
+  std::ranges::replace(flag, ' ', '-');
+  return flag;
+}
 
 /// Returns the command that the command line names, for example the command "swimmer" of "beadswim-layout
 /// swimmer". Returns the program if the command line names no command.
@@ -34,8 +54,7 @@ std::vector<std::string> long_names(const CLI::App& command) {
 
 std::vector<std::string> command_names(const CLI::App& program) {
   std::vector<std::string> names;
-  const auto any = [](const CLI::App*) { return true; };
-  for (const CLI::App* command : program.get_subcommands(any)) names.push_back(command->get_name());
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
   return names;
 }
 
@@ -48,9 +67,8 @@ bool looks_like_flag(const std::string& argument) {
 std::vector<std::string> others_with_flag(const std::string& word, const CLI::App& command) {
   std::vector<std::string> names;
   if (command.get_parent() == nullptr) return names;
-  for (const CLI::App* other : command.get_parent()->get_subcommands([](const CLI::App*) { return true; })) {
+  for (const CLI::App* other : command.get_parent()->get_subcommands({}))
     if (std::ranges::count(long_names(*other), word) > 0) names.push_back(other->get_name());
-  }
   return names;
 }
 
@@ -58,7 +76,7 @@ std::vector<std::string> others_with_flag(const std::string& word, const CLI::Ap
   const std::string name = flag.substr(0, flag.find('='));
   const std::string word = name.substr(std::min(name.find_first_not_of('-'), name.size()));
   const std::vector<std::string> known = long_names(command);
-  if (std::find(known.begin(), known.end(), word) != known.end())
+  if (std::ranges::find(known, word) != known.end())
     throw InputError(
         name, fmt::format("the flag is in the wrong place; write the flag after \"{}\"", full_name(command)));
   if (const auto others = others_with_flag(word, command); !others.empty()) {
@@ -121,9 +139,8 @@ void refuse_values(const CLI::App& command, const std::string& message) {
 void refuse_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const std::vector<std::string>& values = option->results();
-    if (option->get_items_expected_max() == 0 || std::find(values.begin(), values.end(), "") == values.end())
-      continue;
-    throw InputError(option->get_name(), "the value is empty; is a shell variable not set?");
+    if (option->get_items_expected_max() != 0 && std::ranges::find(values, "") != values.end())
+      throw InputError(option->get_name(), "the value is empty; is a shell variable not set?");
   }
   for (const CLI::App* chosen : command.get_subcommands()) refuse_empty_values(*chosen);
 }
@@ -202,7 +219,7 @@ void append_arguments(const CLI::App& command, Json& arguments) {
 std::unique_ptr<CLI::App> make_program(const std::string& name, const std::string& description) {
   set_setting_names(flag_of);
   auto program = std::make_unique<CLI::App>(description, name);
-  program->formatter(std::make_shared<HelpFormatter>());
+  program->formatter(help_formatter());
   program->set_help_flag("-h,--help", "Print this help and exit.");
   program->set_version_flag("--version", fmt::format("{} {} ({})", name, version(), revision()),
                             "Print version and revision and exit.");

@@ -17,18 +17,12 @@ CLI::Option* add_word(CLI::App& command, const std::string& flag, const std::vec
                       const std::function<void(const std::string&)>& take);
 
 /// Adds a flag whose value is the name of an enumerator. Parsing the flag stores the enumerator in `value`,
-/// whose initial contents are the default.
-template <NamedEnum Enum>
-CLI::Option* add_choice(CLI::App& command, const std::string& flag, Enum& value, const std::string& help) {
-  return add_word(command, flag, all_names<Enum>(), to_text(value), help,
-                  [&value](const std::string& word) { value = from_text<Enum>(word); });
-}
-
-/// Adds a flag whose value is the name of an enumerator. The flag has no default.
-template <NamedEnum Enum>
-CLI::Option* add_choice(CLI::App& command, const std::string& flag, std::optional<Enum>& value,
-                        const std::string& help) {
-  return add_word(command, flag, all_names<Enum>(), "", help,
+/// whose initial contents are the default; an optional without value has no default.
+template <class Value>
+CLI::Option* add_choice(CLI::App& command, const std::string& flag, Value& value, const std::string& help) {
+  using Enum = std::remove_cvref_t<decltype(*std::optional(value))>;
+  const std::optional<Enum> initial = value;
+  return add_word(command, flag, all_names<Enum>(), initial ? to_text(*initial) : "", help,
                   [&value](const std::string& word) { value = from_text<Enum>(word); });
 }
 
@@ -59,7 +53,5 @@ void add_absent_flag(CLI::App& command, const std::string& names, const std::str
 
 /// Adds a flag whose value is on or off. The initial value of `is_on` is the default.
 CLI::Option* add_switch(CLI::App& command, const std::string& flag, bool& is_on, const std::string& help);
-/// Returns "on" or "off".
-std::string on_or_off(bool is_on);
 
 }  // namespace beadswim

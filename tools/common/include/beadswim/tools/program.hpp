@@ -15,6 +15,9 @@
 
 namespace beadswim {
 
+/// Returns the format of the help that make_program() sets.
+std::shared_ptr<CLI::FormatterBase> help_formatter();
+
 /// Returns a CLI11 application with --help and --version, whose help shows default values. After this call,
 /// error messages of the libraries name a setting by its flag, for example --relaxation-time.
 std::unique_ptr<CLI::App> make_program(const std::string& name, const std::string& description);
@@ -64,8 +67,7 @@ CLI::Validator fraction();  ///< above 0 and below 1
 /// A finite number of radians, or of degrees with the ending deg, such as 90deg, that is not below `min`.
 CLI::Validator angle(double min = -HUGE_VAL);
 CLI::Validator whole_number(std::int64_t low, std::int64_t high);
-CLI::Validator whole_positive();     ///< from 1 to 10^6
-CLI::Validator product_tolerance();  ///< relative error of mobility products, from 1e-12 to 1e-2
+CLI::Validator whole_positive();  ///< from 1 to 10^6
 
 /// Returns a validator of a flag whose value is one of `words`.
 CLI::Validator one_of(std::vector<std::string> words);
