@@ -33,7 +33,7 @@ std::variant<Request, int> read_request(int argc, char** argv, const Communicato
 GivenLayouts read_layouts(const Request& request, const Communicator& communicator) {
   const RunOptions& options = request.options;
   GivenLayouts given;
-  check_on_root(
+  run_on_root(
       [&] {
         if (request.checkpoint && !options.names_layouts) return;
         DocumentStream documents(options.layouts);

@@ -35,17 +35,21 @@ bool all_ranks_fail_together(const Communicator& communicator) {
 
 }  // namespace
 
-void check_on_root(const std::function<void()>& check, const Communicator& communicator) {
-  std::string fault;
+void run_on_root(const std::function<void()>& action, const Communicator& communicator) {
+  std::string input_fault, failure;
   if (communicator.is_root()) {
     try {
-      check();
+      action();
     } catch (const InputError& error) {
-      fault = error.what();
+      input_fault = error.what();
+    } catch (const SolverError& error) {
+      failure = error.what();
     }
   }
-  broadcast(fault, communicator);
-  if (!fault.empty()) throw InputError(fault);
+  broadcast(input_fault, communicator);
+  broadcast(failure, communicator);
+  if (!input_fault.empty()) throw InputError(input_fault);
+  if (!failure.empty()) throw SolverError(failure);
 }
 
 int end_after_failure(const std::string& program, const Communicator& failures) {

@@ -112,7 +112,7 @@ class ResultMessages {
 std::vector<char> remove_earlier(StreamSchedule& schedule, int count, const StreamSinks& sinks,
                                  const Communicator& communicator) {
   std::vector<char> has_earlier(count);
-  check_on_root(
+  run_on_root(
       [&] {
         for (int number = 1; sinks.earlier && number <= count; ++number)
           has_earlier[number - 1] = sinks.earlier(number).has_value();

@@ -7,8 +7,8 @@
 
 namespace beadswim {
 
-/// Calls `check` on rank 0. If it throws InputError, all ranks throw it. Collective.
-void check_on_root(const std::function<void()>& check, const Communicator& communicator);
+/// Calls `action` on rank 0. If it throws InputError or SolverError, all ranks throw it. Collective.
+void run_on_root(const std::function<void()>& action, const Communicator& communicator);
 
 /// Prints the message of the current exception and ends the program on all ranks. Must be called inside a
 /// catch block. If all ranks call this function within a few seconds, only rank 0 prints its message, and the
