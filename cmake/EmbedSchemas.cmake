@@ -13,8 +13,8 @@ file(WRITE ${OUTPUT} "#include \"embedded_schemas.hpp\"
 
 namespace beadswim {
 
-const std::vector<EmbeddedSchema>& embedded_schemas() {
-  static const std::vector<EmbeddedSchema> table{
+const std::map<std::string, std::string>& embedded_schemas() {
+  static const std::map<std::string, std::string> table{
 ${entries}  };
   return table;
 }

@@ -8,7 +8,7 @@
 #include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/core/message.hpp"
 #include "beadswim/io/fields_json.hpp"
-#include "beadswim/io/trajectory_reader.hpp"
+#include "beadswim/io/h5md.hpp"
 
 // Tests that a field which is added to the list of fields of a record also appears in all forms that are made
 // from the record.

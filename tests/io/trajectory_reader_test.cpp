@@ -1,4 +1,4 @@
-#include "beadswim/io/trajectory_reader.hpp"
+#include "beadswim/io/h5md.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

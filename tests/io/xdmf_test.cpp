@@ -1,4 +1,3 @@
-#include "beadswim/io/xdmf.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,6 @@
 #include <array>
 
 #include "absent_features.hpp"
-#include "beadswim/io/document_fault.hpp"
 #include "beadswim/io/schema.hpp"
 #include "beadswim/scene/check.hpp"
 #include "beadswim/scene/units.hpp"

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "beadswim/core/version.hpp"
-#include "beadswim/io/xdmf.hpp"
+#include "beadswim/io/h5md.hpp"
 #include "beadswim/run/checkpoints.hpp"
 #include "beadswim/scene/check.hpp"
 #include "models/models.hpp"

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/keyed_random.hpp"
 #include "beadswim/core/setting.hpp"
 #include "part_file.hpp"
 
@@ -94,11 +95,6 @@ void add_text(Sha256& hash, const std::string& text) {
   hash.update(std::as_bytes(std::span(text)));
 }
 
-/// Adds name and size [byte] of a section to the hash. The caller adds the contents of the section next.
-void begin_section(Sha256& hash, const std::string& name, std::uint64_t size) {
-  add_text(hash, fmt::format("{}:{}:", name, size));
-}
-
 /// Adds the hash of the lattices to the hash of the sections. Returns the resulting hash of the checkpoint as
 /// text.
 std::string finish_hash(Sha256& hash, std::uint64_t lattices) {
@@ -120,11 +116,7 @@ void for_each_piece(std::uint64_t size, auto&& handle) {
 }  // namespace
 
 void LatticeHash::add(std::uint64_t place, std::uint64_t bits) {
-  // Mixing function of SplitMix64 (Steele, Lea and Flood 2014), applied to the bits and their index.
-  std::uint64_t z = bits + place * 0x9e3779b97f4a7c15U;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-  value += z ^ (z >> 31);
+  value += mix_bits(bits + place * golden_gamma);
 }
 
 void with_checkpoint_remedy(const std::function<void()>& read) {
@@ -153,7 +145,7 @@ void CheckpointWriter::add_pieces(const std::string& section, std::uint64_t size
   const H5Dataset dataset = file_.create(section, number_type<char>(), {size});
   sections_ += section + "\n";
   if (!communicator_.is_root()) return;
-  begin_section(hash_, section, size);
+  add_text(hash_, fmt::format("{}:{}:", section, size));
   for_each_piece(size, [&](std::uint64_t first, std::uint64_t count) {
     const std::span<const char> bytes = piece(first, count);
     dataset.write({{first}, {count}}, bytes.data());
@@ -267,7 +259,7 @@ void CheckpointReader::add_sections(Sha256& hash) const {
   std::istringstream sections(attribute("sections"));
   for (std::string name; std::getline(sections, name);) {
     const std::uint64_t all = size(name);
-    begin_section(hash, name, all);
+    add_text(hash, fmt::format("{}:{}:", name, all));
     for_each_piece(all, [&](std::uint64_t first, std::uint64_t count) {
       const std::vector<char> piece = bytes(name, first, count);
       hash.update(std::as_bytes(std::span(piece)));
@@ -284,11 +276,10 @@ std::uint64_t CheckpointReader::hash_lattice_part(int lattice) const {
   const Extents& extents = dataset.extents();
   const Index3 cells(static_cast<int>(extents[3]), static_cast<int>(extents[2]),
                      static_cast<int>(extents[1]));
-  const std::int64_t ranks = communicator_.size(), rank = communicator_.rank();
-  const auto plane = [&](std::int64_t r) { return static_cast<int>(cells[2] * r / ranks); };
+  const auto [first, end] = rank_share(cells[2], communicator_.rank(), communicator_.size());
   const LatticePart part{.cells = cells,
-                         .offset = {0, 0, plane(rank)},
-                         .size = {cells[0], cells[1], plane(rank + 1) - plane(rank)},
+                         .offset = {0, 0, static_cast<int>(first)},
+                         .size = {cells[0], cells[1], static_cast<int>(end - first)},
                          .lattice = lattice};
   LatticeHash hash;
   const auto add_all = [&]<class Real>(Real) {

@@ -72,6 +72,12 @@ OpenFile copy_if_read_once(const std::string& path, const std::string& source) {
 
 }  // namespace
 
+std::string read_text(const std::string& path) {
+  OpenFile file = copy_if_read_once(path, path);
+  if (!file) file = open_file(path, path);
+  return read_all(file);
+}
+
 void require_one_standard_input(const std::vector<std::string>& paths) {
   if (std::count(paths.begin(), paths.end(), "-") > 1)
     throw InputError("-", "standard input can be read only once; name files for the other inputs");

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/rank_failure.hpp"
 #include "beadswim/core/setting.hpp"
 #include "part_file.hpp"
 
@@ -19,28 +20,23 @@ namespace {
 const std::string swimmers_group = "swimmers/";
 constexpr const char* trajectory_section = "trajectory";  ///< name of a section of the checkpoint
 
-/// Creates and locks PATH.part, and opens it as `part`. Returns an empty text, or the reason why the
-/// trajectory cannot be created.
-std::string creation_fault(const std::string& path, OpenFile& part) {
+/// Creates and locks PATH.part. The lock lasts until the file is closed. Throws InputError if the trajectory
+/// cannot be created.
+OpenFile lock_output(const std::string& path) {
+  const auto require = [](bool is_fine, const std::string& fault) {
+    if (!is_fine)
+      throw InputError(Setting::output,
+                       fault + "; name a file in a folder that exists and can be written to");
+  };
   struct stat existing {};
-  if (path == "-" || path.ends_with('/')) return fmt::format("\"{}\" is not the name of a file", path);
-  if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode))
-    return fmt::format("the path {} exists and is not a regular file", path);
-  part.reset(std::fopen(part_name(path).c_str(), "a+e"));  // the file keeps its contents until it is locked
-  if (!part) return fmt::format("the file {} cannot be created: {}", part_name(path), std::strerror(errno));
-  if (flock(fileno(part.get()), LOCK_EX | LOCK_NB) != 0)
-    return fmt::format("the file {} is being written by another run", part_name(path));
-  return "";
-}
-
-/// Creates and locks the output file on rank 0. Returns the open file on rank 0 and no file on other ranks.
-/// The lock lasts until the file is closed. All ranks throw the same InputError on failure.
-OpenFile lock_output(const std::string& path, const Communicator& communicator) {
-  OpenFile part;
-  std::string fault = communicator.is_root() ? creation_fault(path, part) : "";
-  broadcast(fault, communicator);
-  if (!fault.empty())
-    throw InputError(Setting::output, fault + "; name a file in a folder that exists and can be written to");
+  require(path != "-" && !path.ends_with('/'), fmt::format("\"{}\" is not the name of a file", path));
+  require(stat(path.c_str(), &existing) != 0 || S_ISREG(existing.st_mode),
+          fmt::format("the path {} exists and is not a regular file", path));
+  OpenFile part(std::fopen(part_name(path).c_str(), "a+e"));  // keeps its contents until it is locked
+  require(part != nullptr,
+          fmt::format("the file {} cannot be created: {}", part_name(path), std::strerror(errno)));
+  require(flock(fileno(part.get()), LOCK_EX | LOCK_NB) == 0,
+          fmt::format("the file {} is being written by another run", part_name(path)));
   return part;
 }
 
@@ -114,27 +110,16 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHead
     : path_(path),
       communicator_(communicator),
       box_(header.box),
-      continues_checkpoint_(checkpoint != nullptr),
-      lock_(lock_output(path, communicator)) {
-  run_on_root([&] {
-    with_checkpoint_remedy([&] {
-      if (checkpoint != nullptr) checkpoint->copy_to(trajectory_section, lock_.get());
-      open(header);
-    });
-  });
-}
-
-void TrajectoryWriter::run_on_root(const std::function<void()>& write) const {
-  std::string fault;
-  if (communicator_.is_root()) {
-    try {
-      write();
-    } catch (const SolverError& error) {
-      fault = error.what();
-    }
-  }
-  broadcast(fault, communicator_);
-  if (!fault.empty()) throw SolverError(fault);
+      continues_checkpoint_(checkpoint != nullptr) {
+  run_on_root(
+      [&] {
+        lock_ = lock_output(path);
+        with_checkpoint_remedy([&] {
+          if (checkpoint != nullptr) checkpoint->copy_to(trajectory_section, lock_.get());
+          open(header);
+        });
+      },
+      communicator_);
 }
 
 void TrajectoryWriter::open(const TrajectoryHeader& header) {
@@ -184,26 +169,30 @@ void TrajectoryWriter::append_time(const std::string& sampling, std::int64_t ste
 }
 
 void TrajectoryWriter::append(const TrajectoryFrame& frame) {
-  run_on_root([&] {
-    const WrappedPositions wrapped = wrap(frame.positions, box_);
-    const std::vector<float> velocities = flattened(frame.velocities);
-    const Eigen::Matrix3d edges = (box_ ? box_->lengths : Vec3::Zero()).asDiagonal();
-    append_row("particles/beads/box/edges/value", edges.data());
-    append_row("particles/beads/position/value", wrapped.position.data());
-    append_row("particles/beads/image/value", wrapped.image.data());
-    append_row("particles/beads/velocity/value", velocities.data());
-    append_row("observables/mean_flow/value", frame.mean_flow.data());
-    append_row("observables/momentum/value", frame.momentum.data());
-    append_time(frames_, frame.step, frame.time);
-  });
+  run_on_root(
+      [&] {
+        const WrappedPositions wrapped = wrap(frame.positions, box_);
+        const std::vector<float> velocities = flattened(frame.velocities);
+        const Eigen::Matrix3d edges = (box_ ? box_->lengths : Vec3::Zero()).asDiagonal();
+        append_row("particles/beads/box/edges/value", edges.data());
+        append_row("particles/beads/position/value", wrapped.position.data());
+        append_row("particles/beads/image/value", wrapped.image.data());
+        append_row("particles/beads/velocity/value", velocities.data());
+        append_row("observables/mean_flow/value", frame.mean_flow.data());
+        append_row("observables/momentum/value", frame.momentum.data());
+        append_time(frames_, frame.step, frame.time);
+      },
+      communicator_);
 }
 
 void TrajectoryWriter::append(const TrajectoryCycle& cycle) {
-  run_on_root([&] {
-    for (const Column& column : cycle.columns)
-      append_row(swimmers_group + column.name + "/value", column.numbers.data());
-    append_time(cycles_, cycle.step, cycle.time);
-  });
+  run_on_root(
+      [&] {
+        for (const Column& column : cycle.columns)
+          append_row(swimmers_group + column.name + "/value", column.numbers.data());
+        append_time(cycles_, cycle.step, cycle.time);
+      },
+      communicator_);
 }
 
 void TrajectoryWriter::add_to(CheckpointWriter& checkpoint) const {
@@ -211,16 +200,18 @@ void TrajectoryWriter::add_to(CheckpointWriter& checkpoint) const {
 }
 
 void TrajectoryWriter::finish() {
-  run_on_root([&] {
-    file_->flush();
-    series_.clear();
-    file_->close_checked();
-    if (const int reason = name_finished_file(path_); reason != 0) {
-      throw SolverError(
-          fmt::format("the complete trajectory {} cannot be renamed to {}: {}; rename the file by hand",
-                      part_name(path_), path_, std::strerror(reason)));
-    }
-  });
+  run_on_root(
+      [&] {
+        file_->flush();
+        series_.clear();
+        file_->close_checked();
+        if (const int reason = name_finished_file(path_); reason != 0) {
+          throw SolverError(
+              fmt::format("the complete trajectory {} cannot be renamed to {}: {}; rename the file by hand",
+                          part_name(path_), path_, std::strerror(reason)));
+        }
+      },
+      communicator_);
 }
 
 }  // namespace beadswim

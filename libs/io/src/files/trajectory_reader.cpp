@@ -1,4 +1,4 @@
-#include "beadswim/io/trajectory_reader.hpp"
+#include "beadswim/io/h5md.hpp"
 
 #include <fmt/core.h>
 #include <sys/stat.h>

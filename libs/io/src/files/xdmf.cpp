@@ -1,5 +1,3 @@
-#include "beadswim/io/xdmf.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +5,8 @@
 #include <filesystem>
 
 #include "beadswim/core/xml_text.hpp"
+#include "beadswim/io/h5md.hpp"
 #include "beadswim/io/json.hpp"
-#include "beadswim/io/trajectory_reader.hpp"
 
 namespace beadswim {
 namespace {
@@ -67,10 +65,6 @@ std::string grid(std::size_t frame) {
 
 }  // namespace
 
-std::string xdmf_name(const std::string& trajectory) {
-  return trajectory + ".xdmf2";
-}
-
 bool paraview_can_open(const std::string& path) {
   const std::string name = std::filesystem::path(path).filename().string();
   const auto is_readable = [](char c) { return c >= ' ' && c <= '}' && c != ':' && c != '\\'; };
@@ -92,7 +86,8 @@ void write_xdmf(const std::string& trajectory) {
       "<Time TimeType=\"List\">" +
       dataset(fmt::format("{}", frames), float64_type, data + "position/time") + "</Time>\n";
   for (std::size_t frame = 0; frame < frames; ++frame) text += grid(frame);
-  write_text(xdmf_name(trajectory), text + "</Grid>\n</Domain></Xdmf>\n");
+  // For .xdmf2, ParaView uses the XDMF reader that can select one frame of a dataset; for .xdmf, another one.
+  write_text(trajectory + ".xdmf2", text + "</Grid>\n</Domain></Xdmf>\n");
 }
 
 }  // namespace beadswim

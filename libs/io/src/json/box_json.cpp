@@ -1,5 +1,3 @@
-#include "beadswim/io/box_json.hpp"
-
 #include "beadswim/io/fields_json.hpp"
 
 namespace beadswim {

@@ -5,7 +5,6 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/io/json.hpp"
-#include "json_pointer.hpp"
 
 template class nlohmann::basic_json<nlohmann::ordered_map>;
 

@@ -1,22 +1,100 @@
 #include "beadswim/io/schema.hpp"
 
+#include <fmt/core.h>
+
+#include <array>
 #include <map>
-#include <stdexcept>
+#include <optional>
+#include <regex>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "beadswim/core/names.hpp"
 #include "embedded_schemas.hpp"
-#include "schema_name.hpp"
 #include "value_fault.hpp"
 
 namespace beadswim {
 namespace {
 
+// --- Name of the schema that a document states
+
+/// Parts of a schema name "beadswim/KIND/VERSION".
+struct SchemaName {
+  std::string kind;
+  int version = 0;
+};
+
+std::optional<SchemaName> parse_schema_name(const std::string& text) {
+  static const std::regex form("beadswim/([a-z-]+)/([0-9]{1,6})");
+  std::smatch part;
+  if (!std::regex_match(text, part, form)) return std::nullopt;
+  return SchemaName{part[1], std::stoi(part[2])};
+}
+
+/// Returns what a document of the kind is, and which program writes it.
+std::string in_words(const std::string& kind) {
+  constexpr std::array kinds{
+      std::pair{"layout", "a layout (beadswim-layout)"},
+      std::pair{"prediction", "a prediction (beadswim-theory)"},
+      std::pair{"run", "a run record (beadswim-run), without positions, which are in the trajectory (.h5md)"},
+      std::pair{"verdict", "a verdict (beadswim-compare)"}};
+  for (const auto& [name, words] : kinds)
+    if (kind == name) return words;
+  return fmt::format("a document of the kind \"{}\"", kind);
+}
+
+std::string disagreement(const SchemaName& found, const SchemaName& wanted, const std::string& found_text) {
+  if (found.kind != wanted.kind) {
+    return fmt::format("the document is {}; give {}", in_words(found.kind), in_words(wanted.kind));
+  }
+  if (found.version > wanted.version) {
+    return fmt::format(
+        "the schema \"{}\" is newer than this program, which reads version {}; update Beadswim", found_text,
+        wanted.version);
+  }
+  return fmt::format(
+      "the schema \"{}\" has a version that this program cannot read; give a document of version {}",
+      found_text, wanted.version);
+}
+
+/// Throws InputError if the key "schema" of the document does not have the value `expected`, for example
+/// "beadswim/layout/1". The message then states the actual kind of the document, or that its version is not
+/// the version that this program reads.
+void check_schema_name(const Json& document, const std::string& expected, const std::string& source) {
+  if (!document.is_object()) {
+    throw InputError(source, fmt::format("the JSON document is {} {}; give an object with \"schema\": \"{}\"",
+                                         document.is_array() ? "an" : "a", document.type_name(), expected));
+  }
+  const auto entry = document.find("schema");
+  if (entry == document.end()) {
+    for (const auto& [key, value] : document.items()) {
+      if (!nearest_name(key, {"schema"}).empty())
+        throw InputError(source + ":" + pointer_step(key), "unknown key; did you mean \"schema\"?");
+    }
+    throw InputError(
+        source,
+        fmt::format(
+            "the document lacks the key \"schema\"; add \"schema\": \"{}\" if the document has this format",
+            expected));
+  }
+  const std::string place = source + ":/schema";
+  const auto found = entry->is_string() ? parse_schema_name(entry->get<std::string>()) : std::nullopt;
+  if (!found)
+    throw InputError(
+        place, fmt::format("{}: the value of the key \"schema\" must be \"{}\"", entry->dump(), expected));
+  const SchemaName wanted = parse_schema_name(expected).value();
+  if (found->kind != wanted.kind || found->version != wanted.version) {
+    throw InputError(place, disagreement(*found, wanted, entry->get<std::string>()));
+  }
+}
+
+// --- Faults of the contents
+
 /// A schema as JSON and in the compiled form of valijson.
 struct Rules {
-  explicit Rules(std::string_view schema) : text(Json::parse(schema)) {
+  explicit Rules(const std::string& schema) : text(Json::parse(schema)) {
     const nlohmann::json unordered(text);
     valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(unordered), compiled);
   }
@@ -30,10 +108,7 @@ struct Rules {
 const Rules& rules_of(const std::string& name) {
   static std::map<std::string, Rules> known;
   if (const auto found = known.find(name); found != known.end()) return found->second;
-  for (const EmbeddedSchema& schema : embedded_schemas()) {
-    if (schema.name == name) return known.try_emplace(name, schema.text).first->second;
-  }
-  throw std::logic_error("no schema " + name + " is built in");
+  return known.try_emplace(name, embedded_schemas().at(name)).first->second;
 }
 
 /// Returns the keys from the root of the document to the place of an error. valijson writes each key as
@@ -58,6 +133,12 @@ std::vector<SchemaFailure> failures(const nlohmann::json& document, const valijs
   return found;
 }
 
+constexpr std::size_t max_faults_shown = 20;
+
+std::string place(const std::string& source, const DocumentFault& fault) {
+  return fault.pointer.empty() ? source : source + ":" + fault.pointer;
+}
+
 }  // namespace
 
 void validate_json(const Json& document, const std::string& schema_name, const std::string& source) {
@@ -66,6 +147,19 @@ void validate_json(const Json& document, const std::string& schema_name, const s
                     source);
   const auto found = failures(nlohmann::json(document), rules.compiled);
   throw_if_faulty(source, explain_failures(found, rules.text, document));
+}
+
+void throw_if_faulty(const std::string& source, const std::vector<DocumentFault>& faults) {
+  if (faults.empty()) return;
+  std::string text = faults.front().message;
+  for (std::size_t i = 1; i < faults.size() && i < max_faults_shown; ++i) {
+    text += fmt::format("\n{}: {}", place(source, faults[i]), faults[i].message);
+  }
+  if (faults.size() > max_faults_shown) {
+    text +=
+        fmt::format("\n{}: at least {} more faults are not listed", source, faults.size() - max_faults_shown);
+  }
+  throw InputError(place(source, faults.front()), text);
 }
 
 }  // namespace beadswim

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "beadswim/core/names.hpp"
-#include "json_pointer.hpp"
 #include "subschema.hpp"
 
 namespace beadswim {
@@ -33,13 +32,14 @@ std::string echo_value(const Json& value) {
 }
 
 std::string allowed_range(const Subschemas& schemas) {
-  const std::vector<std::pair<std::string, std::string>> bounds{{"exclusiveMinimum", "greater than"},
-                                                                {"minimum", "at least"},
-                                                                {"exclusiveMaximum", "less than"},
-                                                                {"maximum", "at most"}};
+  const std::initializer_list<std::pair<const char*, const char*>> bounds{
+      {"exclusiveMinimum", "greater than "},
+      {"minimum", "at least "},
+      {"exclusiveMaximum", "less than "},
+      {"maximum", "at most "}};
   std::vector<std::string> parts;
   for (const auto& [keyword, words] : bounds) {
-    if (const Json* bound = find_keyword(schemas, keyword)) parts.push_back(words + " " + bound->dump());
+    if (const Json* bound = find_keyword(schemas, keyword)) parts.push_back(words + bound->dump());
   }
   return fmt::format("the value must be {}", fmt::join(parts, " and "));
 }
@@ -138,66 +138,50 @@ std::vector<Place> gather_by_place(const std::vector<SchemaFailure>& failures) {
   return places;
 }
 
-/// Explains failures at the places of one document.
-class Explainer {
- public:
-  Explainer(const Json& schema, const Json& document) : schema_(schema), document_(document) {}
-
-  void explain(const Place& place) {
-    const Json* value = &document_;
-    Subschemas schemas = document_schemas(schema_, document_);
-    std::string pointer;
-    for (const std::string& key : place.path) {
-      value = &(value->is_array() ? value->at(std::stoul(key)) : value->at(key));
-      schemas = member_schemas(schema_, schemas, key, value);
-      pointer += pointer_step(key);
-    }
-    if (place.value) faults.push_back(explain_value(*place.value, pointer, schemas, *value));
-    const std::vector<std::string> suggestions = explain_unknown_keys(place, pointer, schemas, *value);
-    for (const std::string& key : place.missing_keys) {
-      // A misspelt required key is both unknown and missing. It is reported once, as unknown.
-      if (std::find(suggestions.begin(), suggestions.end(), key) != suggestions.end()) continue;
-      const std::string what = meaning(member_schemas(schema_, schemas, key, nullptr));
-      faults.push_back({pointer, fmt::format("the object lacks the key \"{}\"{}", key, what)});
-    }
+/// Adds one fault per unknown key of an object. Returns the keys that were probably intended.
+std::vector<std::string> explain_unknown_keys(const std::string& pointer, const Subschemas& schemas,
+                                              const Json& object, std::vector<DocumentFault>& faults) {
+  const std::vector<std::string> names = property_names(schemas);
+  // Absent keys are suggested first: a key that the object already contains was probably not intended.
+  std::vector<std::string> absent, suggestions;
+  std::ranges::copy_if(names, std::back_inserter(absent),
+                       [&](const std::string& name) { return !object.contains(name); });
+  for (const auto& [key, value] : object.items()) {
+    if (std::ranges::find(names, key) != names.end()) continue;
+    const std::vector<std::string>& candidates = nearest_name(key, absent).empty() ? names : absent;
+    suggestions.push_back(nearest_name(key, candidates));
+    faults.push_back({pointer + pointer_step(key),
+                      fmt::format("unknown key{} Keys allowed here: {}", format_suggestion(key, candidates),
+                                  fmt::join(names, ", "))});
   }
-
-  std::vector<DocumentFault> faults;
-
- private:
-  /// Adds one fault per unknown key. Returns the keys that were probably intended.
-  std::vector<std::string> explain_unknown_keys(const Place& place, const std::string& pointer,
-                                                const Subschemas& schemas, const Json& object) {
-    std::vector<std::string> suggestions;
-    if (!place.has_unknown_keys) return suggestions;
-    const std::vector<std::string> names = property_names(schemas);
-    // Absent keys are suggested first: a key that the object already contains was probably not intended.
-    std::vector<std::string> absent;
-    for (const std::string& name : names) {
-      if (!object.contains(name)) absent.push_back(name);
-    }
-    for (const auto& [key, value] : object.items()) {
-      if (std::find(names.begin(), names.end(), key) != names.end()) continue;
-      const std::vector<std::string>& candidates = nearest_name(key, absent).empty() ? names : absent;
-      suggestions.push_back(nearest_name(key, candidates));
-      faults.push_back({pointer + pointer_step(key),
-                        fmt::format("unknown key{} Keys allowed here: {}", format_suggestion(key, candidates),
-                                    fmt::join(names, ", "))});
-    }
-    return suggestions;
-  }
-
-  const Json& schema_;
-  const Json& document_;
-};
+  return suggestions;
+}
 
 }  // namespace
 
 std::vector<DocumentFault> explain_failures(const std::vector<SchemaFailure>& failures, const Json& schema,
                                             const Json& document) {
-  Explainer explainer(schema, document);
-  for (const Place& place : gather_by_place(failures)) explainer.explain(place);
-  return explainer.faults;
+  std::vector<DocumentFault> faults;
+  for (const Place& place : gather_by_place(failures)) {
+    const Json* value = &document;
+    Subschemas schemas = document_schemas(schema, document);
+    std::string pointer;
+    for (const std::string& key : place.path) {
+      value = &(value->is_array() ? value->at(std::stoul(key)) : value->at(key));
+      schemas = member_schemas(schema, schemas, key, value);
+      pointer += pointer_step(key);
+    }
+    if (place.value) faults.push_back(explain_value(*place.value, pointer, schemas, *value));
+    std::vector<std::string> suggestions;
+    if (place.has_unknown_keys) suggestions = explain_unknown_keys(pointer, schemas, *value, faults);
+    for (const std::string& key : place.missing_keys) {
+      // A misspelt required key is both unknown and missing. It is reported once, as unknown.
+      if (std::ranges::find(suggestions, key) != suggestions.end()) continue;
+      const std::string what = meaning(member_schemas(schema, schemas, key, nullptr));
+      faults.push_back({pointer, fmt::format("the object lacks the key \"{}\"{}", key, what)});
+    }
+  }
+  return faults;
 }
 
 }  // namespace beadswim

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/io/document_fault.hpp"
-#include "beadswim/io/json.hpp"
+#include "beadswim/io/schema.hpp"
 
 namespace beadswim {
 

@@ -8,18 +8,28 @@
 
 namespace beadswim {
 
+/// Increment of the state of SplitMix64 (Steele, Lea and Flood 2014): 2^64 divided by the golden ratio.
+constexpr std::uint64_t golden_gamma = 0x9E3779B97F4A7C15;
+
+/// Returns the mixing function of SplitMix64: each bit of the result depends on all bits of z.
+constexpr std::uint64_t mix_bits(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+  return z ^ (z >> 31);
+}
+
 /// Random number generator whose sequence depends only on a seed and two keys (`key` and `purpose` below). If
 /// `key` is the id of a swimmer, the random numbers of this swimmer do not depend on other swimmers. The
 /// numbers are equal on all machines, which the distributions of the C++ standard library do not guarantee.
-/// Generator: SplitMix64 (Steele, Lea and Flood 2014).
+/// Generator: SplitMix64.
 class KeyedRandom {
  public:
   /// `key` identifies the object, for example a swimmer. `purpose` distinguishes several sequences of the
   /// same object.
   KeyedRandom(std::uint64_t seed, std::uint64_t key, std::uint64_t purpose)
-      : state_(mix_bits(mix_bits(mix_bits(seed) ^ key) ^ purpose)) {}
+      : state_(next(next(next(seed) ^ key) ^ purpose)) {}
 
-  std::uint64_t bits() { return mix_bits(state_ += golden_gamma); }
+  std::uint64_t bits() { return next(state_ += golden_gamma); }
 
   /// Returns a uniformly distributed number in [0, 1).
   double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
@@ -42,14 +52,7 @@ class KeyedRandom {
   }
 
  private:
-  static constexpr std::uint64_t golden_gamma = 0x9E3779B97F4A7C15;
-
-  static constexpr std::uint64_t mix_bits(std::uint64_t z) {
-    z += golden_gamma;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-    return z ^ (z >> 31);
-  }
+  static constexpr std::uint64_t next(std::uint64_t z) { return mix_bits(z + golden_gamma); }
 
   std::uint64_t state_;
 };

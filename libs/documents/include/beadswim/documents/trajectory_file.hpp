@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "beadswim/documents/run_record_document.hpp"
-#include "beadswim/io/trajectory_reader.hpp"
+#include "beadswim/io/h5md.hpp"
 #include "beadswim/scene/layout.hpp"
 
 namespace beadswim {

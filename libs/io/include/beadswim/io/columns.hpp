@@ -13,7 +13,7 @@
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// Conversion between records (structs that list their fields in visit_fields, core/fields.hpp) and columns of
+// Conversion between records (structs that list their fields, core/fields.hpp) and columns of
 // numbers. A field that becomes a column is a double, a Vec3, or an array or a vector of doubles. Other
 // fields must have the mark not_a_column. Vectors may have different lengths in different records: the
 // columns are as wide as those of an example, and NaN stands where a record has no number.
@@ -27,19 +27,12 @@ struct Column {
   std::vector<double> numbers;  ///< values of all components of record 0, then of record 1, ...
 };
 
-template <class Number>
-std::span<Number> numbers_of(Number& number) {
-  return {&number, 1};
-}
-template <std::size_t size>
-std::span<double> numbers_of(std::array<double, size>& numbers) {
-  return numbers;
-}
-inline std::span<double> numbers_of(Vec3& vector) {
-  return {vector.data(), 3};
-}
-inline std::span<double> numbers_of(std::vector<double>& numbers) {
-  return numbers;
+std::span<double> numbers_of(auto& field) {
+  if constexpr (requires { field.data(); }) {
+    return {field.data(), static_cast<std::size_t>(field.size())};
+  } else {
+    return {&field, 1};
+  }
 }
 
 /// Calls handle(name, field) for each field of the record that becomes a column.

@@ -6,34 +6,30 @@
 #include <limits>
 #include <optional>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/io/box_json.hpp"
 #include "beadswim/io/json.hpp"
 
-// Conversion between JSON and records (structs that list their fields in visit_fields, core/fields.hpp). To
+// Conversion between JSON and records (structs that list their fields, core/fields.hpp). To
 // write a record, assign it to a Json. To read it, call json.get<Record>(). The JSON must have been validated
 // against its schema before it is read.
 
 namespace beadswim {
 
-template <class T>
-bool has_value(const T& field) {
-  if constexpr (std::same_as<T, Json>) {
-    return !field.is_null();
-  } else if constexpr (requires { field.empty(); }) {
-    return !field.empty();
-  } else {
-    return field.has_value();
-  }
-}
-
 /// Returns true if JSON output omits a field with this mark.
 bool is_omitted(const auto& /*field*/, auto /*mark*/) {
   return false;
 }
-bool is_omitted(const auto& field, OmittedIfNone) {
-  return !has_value(field);
+template <class T>
+bool is_omitted(const T& field, OmittedIfNone) {
+  if constexpr (std::same_as<T, Json>) {
+    return field.is_null();
+  } else if constexpr (requires { field.empty(); }) {
+    return field.empty();
+  } else {
+    return !field.has_value();
+  }
 }
 template <class T>
 bool is_omitted(const auto& field, const OmittedIf<T>& mark) {
@@ -102,6 +98,15 @@ void from_json(const Json& json, Record& record) {
       },
       record);
 }
+
+// The JSON of domains and boxes has another form than their fields. A domain is null, a box or
+// {"half_space": {"axis": "z", "boundary": "no-slip"}}. An axis with walls that move has the boundary
+// {"no-slip": {"lower_velocity": [..], "upper_velocity": [..]}}, every other axis a name.
+
+void to_json(Json& json, const Box& box);
+void from_json(const Json& json, Box& box);
+void to_json(Json& json, const Domain& domain);
+void from_json(const Json& json, Domain& domain);
 
 }  // namespace beadswim
 

@@ -95,10 +95,7 @@ class TrajectoryWriter {
   void finish();
 
  private:
-  /// Calls write() on rank 0. Throws its SolverError on all ranks. Collective.
-  void run_on_root(const std::function<void()>& write) const;
-
-  // The remaining functions are for rank 0.
+  // These functions are for rank 0.
 
   void open(const TrajectoryHeader& header);
   /// Adds a dataset to series_. Creates it, or opens it if the file comes from a checkpoint.
@@ -124,5 +121,53 @@ class TrajectoryWriter {
   std::map<std::string, H5Dataset> series_;  ///< keys: names in the file
   std::string frames_, cycles_;              ///< samplings of frames and of cycles
 };
+
+/// Reads a trajectory that TrajectoryWriter wrote. Requires only one process and no MPI. Can also read the
+/// complete frames of FILE.part, the file of a run that is active or was killed. H5MD does not distinguish
+/// free-slip and no-slip walls: all walls are read as free-slip. All functions throw InputError with file,
+/// place in the file and remedy if the contents are invalid.
+class TrajectoryReader {
+ public:
+  /// Opens a trajectory. Throws InputError if it cannot be read, is not a trajectory or contains no frame.
+  explicit TrajectoryReader(const std::string& path);
+
+  const TrajectoryHeader& header() const { return header_; }
+  std::size_t frames() const { return frames_; }
+  /// Returns true if the run ended while it wrote a further frame, which is left out.
+  bool has_incomplete_frame() const { return begun_frames_ > frames_; }
+
+  /// Returns the times of all frames [time].
+  std::vector<double> times() const;
+
+  /// Returns frame `index` < frames(), with unwrapped positions.
+  TrajectoryFrame frame(std::size_t index) const;
+
+  /// Returns the cycle quantities of all swimmers at the end of each base cycle (docs/notation.md, base
+  /// period). `columns` contains the names and shapes of the columns.
+  std::vector<TrajectoryCycle> cycles(const std::vector<Column>& columns) const;
+
+ private:
+  H5Dataset open_series(const std::string& name, Extents row);
+  std::optional<Box> box(std::size_t frame) const;
+  void read_header();
+
+  H5File file_;
+  std::size_t frames_, begun_frames_ = 0;
+  std::size_t beads_;
+  H5Dataset step_, time_, edges_, position_, image_, velocity_, mean_flow_, momentum_;
+  std::array<Boundary, 3> boundary_;
+  TrajectoryHeader header_;
+};
+
+/// Returns true if ParaView opens files whose names begin with the name of this file. Its readers of indices
+/// fail for others: those that are not ASCII, contain a colon, a backslash or ~, or begin with a space.
+bool paraview_can_open(const std::string& path);
+
+/// Writes the index of a finished trajectory in XDMF 2 to the trajectory's folder, completely or not at all.
+/// ParaView, which cannot read H5MD itself, finds in it where the data of each frame are in the file. The
+/// index contains, for each frame, the time, the beads as points, and the radius, species, swimmer, velocity
+/// and image of each bead. Must be called on one rank only. Throws InputError if the trajectory is invalid or
+/// the index cannot be created, and SolverError if the index cannot be written.
+void write_xdmf(const std::string& trajectory);
 
 }  // namespace beadswim

@@ -34,6 +34,11 @@ std::string read_text(const std::string& path);
 /// ..." for a duplicate key.
 Json parse_json(const std::string& text, const std::string& source);
 
+/// Returns "/key", the step of a JSON pointer, with the key escaped according to RFC 6901.
+inline std::string pointer_step(const std::string& key) {
+  return (Json::json_pointer() / key).to_string();
+}
+
 /// Returns the text of a document, which ends with a newline. Doubles are written with enough digits to be
 /// read back unchanged. If a number is non-finite, throws SolverError with the JSON pointer to the number.
 /// nlohmann-json would write null instead.
