@@ -165,8 +165,8 @@ TEST(RunRecord, RefusesValuesThatCannotBe) {
 
 ComparisonRow row_with_error(double relative_error) {
   ComparisonRow row;
-  row.run_source = "r.json";
-  row.reference_source = "p.json";
+  row.run_file = "r.json";
+  row.reference_file = "p.json";
   row.method = "rpy-ode";
   row.run = 1;
   row.tolerance = 0.05;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "beadswim/compare/swimming.hpp"
+#include "beadswim/compare/cycle_statistics.hpp"
+#include "beadswim/compare/result_quantity.hpp"
 #include "tolerances.hpp"
 
 namespace beadswim {

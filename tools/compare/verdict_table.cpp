@@ -52,7 +52,7 @@ using Rows = std::vector<const ComparisonRow*>;
 
 /// The rows of one swimmer of one run.
 struct Section {
-  std::string run_source;
+  std::string run_file;
   int swimmer = 0;
   Rows rows{};
 };
@@ -60,9 +60,9 @@ struct Section {
 std::vector<Section> sections_of(std::span<const ComparisonRow> rows) {
   std::vector<Section> sections;
   for (const ComparisonRow& row : rows) {
-    if (sections.empty() || sections.back().run_source != row.run_source ||
+    if (sections.empty() || sections.back().run_file != row.run_file ||
         sections.back().swimmer != row.swimmer)
-      sections.push_back({row.run_source, row.swimmer});
+      sections.push_back({row.run_file, row.swimmer});
     sections.back().rows.push_back(&row);
   }
   return sections;
@@ -127,7 +127,7 @@ std::string verdict_table(const VerdictDocument& document, bool shows_all) {
   std::string table = fmt::format(line, "quantity", "run", "reference", "method", "error", "", "verdict");
   std::size_t shown = 0;
   for (const Section& section : sections) {
-    if (has_headings) table += fmt::format("{}, swimmer {}:\n", section.run_source, section.swimmer);
+    if (has_headings) table += fmt::format("{}, swimmer {}:\n", section.run_file, section.swimmer);
     for (const ComparisonRow* row : section.rows)
       table += fmt::format(line, quantity_text(*row), fmt::format("{:.5g}", row->run),
                            fmt::format("{:.5g}", row->reference), row->method, error_text(*row),
@@ -155,7 +155,7 @@ std::string verdict_line(const VerdictDocument& document) {
                           uncertainty.empty() ? "" : " " + uncertainty);
   }
   const std::string study = study_text(document.study, 6);
-  return fmt::format("{}: {} by {}: {}\n", study.empty() ? document.rows.front().run_source : study,
+  return fmt::format("{}: {} by {}: {}\n", study.empty() ? document.rows.front().run_file : study,
                      verdict(document.rows) ? "pass" : "FAIL", document.decided_by, errors);
 }
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <map>
 
-#include "beadswim/compare/swimming.hpp"
+#include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/io/base64.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/scene/swarm.hpp"

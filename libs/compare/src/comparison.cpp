@@ -15,26 +15,8 @@ constexpr std::array preferred_methods{"inertia-corrected", "multipole-ode", "rp
 
 /// Returns 0 for the most preferred method and larger values for others. All methods that are not in the list
 /// have the same, largest value.
-std::ptrdiff_t preference(const std::string& method) {
-  return std::find(preferred_methods.begin(), preferred_methods.end(), method) - preferred_methods.begin();
-}
-
-bool can_decide(const Reference& reference, std::span<const ResultQuantity> quantities) {
-  return reference.usable && std::all_of(quantities.begin(), quantities.end(), [&](ResultQuantity quantity) {
-           return reference.results.contains(quantity);
-         });
-}
-
-/// Returns a row with quantity, sources and method, but without the compared numbers.
-ComparisonRow labelled_row(const RunSwimmer& run, const Reference& reference, ResultQuantity quantity) {
-  ComparisonRow row;
-  row.quantity = quantity;
-  row.run_source = run.source;
-  row.swimmer = run.id;
-  row.reference_source = reference.source;
-  row.method = reference.method;
-  row.usable = reference.usable;
-  return row;
+std::ptrdiff_t preference(const Reference& reference) {
+  return std::ranges::find(preferred_methods, reference.method) - preferred_methods.begin();
 }
 
 std::optional<double> number_of(const Results& results, ResultQuantity quantity, std::size_t i) {
@@ -49,6 +31,21 @@ bool is_angle(ResultQuantity quantity) {
 
 bool is_phase(ResultQuantity quantity) {
   return is_angle(quantity) || quantity == ResultQuantity::sin_phase_shift;
+}
+
+/// Returns the size up to which a value of a reference is a numerical error: by roundoff of bead positions,
+/// by the accuracy of bead velocities (1e-10 of MotionScale::speed), or as the reference states. The error of
+/// a phase is that of the smaller of two arm amplitudes, divided by this amplitude.
+double zero_threshold(const MotionScale& scale, const Reference& reference, ResultQuantity quantity) {
+  constexpr double roundoff = 1e-12, accuracy = 1e-10;  // relative to length and to speed
+  const double speed =
+      std::max({accuracy * scale.speed, roundoff * scale.length / scale.period, reference.numerical_error});
+  if (!is_phase(quantity)) return scale.size_of(quantity, speed);
+  double amplitude = std::numeric_limits<double>::infinity();
+  for (const std::size_t arm : {0UL, 1UL})
+    amplitude = std::min(
+        amplitude, number_of(reference.results, ResultQuantity::arm_amplitudes, arm).value_or(amplitude));
+  return std::max(accuracy, scale.size_of(ResultQuantity::arm_amplitudes, speed) / amplitude);
 }
 
 /// Sets the numbers of a row for number i of a quantity. Returns the difference of run and reference: for
@@ -82,37 +79,47 @@ void make_relative_to(double scale, double difference, ComparisonRow& row) {
 /// Returns the row for number i of a quantity. If it has one number per arm, i + 1 is the number of the arm.
 ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, ResultQuantity quantity,
                              std::size_t i, double tolerance) {
-  ComparisonRow row = labelled_row(run, reference, quantity);
+  ComparisonRow row{.quantity = quantity,
+                    .run_file = run.source,
+                    .swimmer = run.id,
+                    .reference_file = reference.source,
+                    .method = reference.method,
+                    .usable = reference.usable,
+                    .tolerance = tolerance};
   if (row_of(quantity).is_per_arm) row.arm = static_cast<int>(i) + 1;
   const double difference = set_numbers(run, reference, i, row);
   row.relative_error = relative_error(difference, row.reference);
   const double zero = zero_threshold(run.scale, reference, quantity);
   if (std::abs(row.reference) <= zero || is_angle(quantity))
-    make_relative_to(run.scale.size_of(quantity, run.scale.speed), std::abs(difference) <= zero ? 0 : difference,
-                     row);
-  row.tolerance = tolerance;
+    make_relative_to(run.scale.size_of(quantity, run.scale.speed),
+                     std::abs(difference) <= zero ? 0 : difference, row);
   row.pass = std::abs(row.relative_error) <= tolerance;  // false for NaN
   return row;
 }
 
 }  // namespace
 
+double MotionScale::size_of(ResultQuantity quantity, double bead_speed) const {
+  switch (row_of(quantity).dimension) {
+    case Dimension::velocity:
+      return bead_speed;
+    case Dimension::length:
+      return bead_speed * period / (2 * std::numbers::pi);
+    case Dimension::angular_velocity:
+      return length > 0 ? bead_speed / length : 0;
+    case Dimension::angle:
+      return 1;
+    case Dimension::number:
+    case Dimension::power:
+      break;
+  }
+  return quantity == ResultQuantity::sin_phase_shift ? 1 : 0;
+}
+
 double relative_error(double difference, double reference) {
   if (difference == 0) return 0;
   if (reference == 0) return std::copysign(std::numeric_limits<double>::infinity(), difference);
   return difference / std::abs(reference);
-}
-
-double zero_threshold(const MotionScale& scale, const Reference& reference, ResultQuantity quantity) {
-  constexpr double roundoff = 1e-12, accuracy = 1e-10;  // relative to length and to speed
-  const double speed =
-      std::max({accuracy * scale.speed, roundoff * scale.length / scale.period, reference.numerical_error});
-  if (!is_phase(quantity)) return scale.size_of(quantity, speed);
-  double amplitude = std::numeric_limits<double>::infinity();
-  for (const std::size_t arm : {0UL, 1UL})
-    amplitude = std::min(
-        amplitude, number_of(reference.results, ResultQuantity::arm_amplitudes, arm).value_or(amplitude));
-  return std::max(accuracy, scale.size_of(ResultQuantity::arm_amplitudes, speed) / amplitude);
 }
 
 double root_mean_square(std::span<const double> values) {
@@ -124,13 +131,11 @@ double root_mean_square(std::span<const double> values) {
 std::optional<std::size_t> best_reference(std::span<const Reference> references,
                                           std::span<const ResultQuantity> quantities) {
   std::optional<std::size_t> best;
-  std::ptrdiff_t best_rank = 0;
   for (std::size_t i = 0; i < references.size(); ++i) {
-    if (!can_decide(references[i], quantities)) continue;
-    const std::ptrdiff_t rank = preference(references[i].method);
-    if (best && rank >= best_rank) continue;
-    best = i;
-    best_rank = rank;
+    const auto is_known = [&](ResultQuantity quantity) { return references[i].results.contains(quantity); };
+    if (references[i].usable && std::ranges::all_of(quantities, is_known) &&
+        (!best || preference(references[i]) < preference(references[*best])))
+      best = i;
   }
   return best;
 }
@@ -155,10 +160,8 @@ std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<cons
 }
 
 bool verdict(std::span<const ComparisonRow> rows) {
-  const auto decides = [](const ComparisonRow& row) { return row.decides; };
-  return std::any_of(rows.begin(), rows.end(), decides) &&
-         std::all_of(rows.begin(), rows.end(),
-                     [](const ComparisonRow& row) { return !row.decides || row.pass; });
+  return std::ranges::any_of(rows, &ComparisonRow::decides) &&
+         std::ranges::all_of(rows, [](const ComparisonRow& row) { return !row.decides || row.pass; });
 }
 
 }  // namespace beadswim

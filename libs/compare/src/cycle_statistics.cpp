@@ -155,4 +155,16 @@ CycleStatistics cycle_statistics(int index, Samples samples, const SwimmerType& 
   return cycle;
 }
 
+Vec3 vector_relative_to_fluid(const CycleStatistics& cycle, const std::optional<Box>& box) {
+  Vec3 relative = cycle.velocity;
+  for (int axis = 0; axis < 3 && box; ++axis) {
+    if (box->is_periodic(axis)) relative[axis] -= cycle.mean_flow[axis];
+  }
+  return relative;
+}
+
+double velocity_relative_to_fluid(const CycleStatistics& cycle, const std::optional<Box>& box) {
+  return vector_relative_to_fluid(cycle, box).dot(cycle.axis);
+}
+
 }  // namespace beadswim

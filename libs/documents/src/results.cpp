@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "beadswim/compare/swimming.hpp"
+#include "beadswim/compare/comparison.hpp"
 #include "beadswim/scene/units.hpp"
 
 namespace beadswim {

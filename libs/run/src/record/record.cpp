@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/compare/run_uncertainty.hpp"
-#include "beadswim/compare/swimming.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {

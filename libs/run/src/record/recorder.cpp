@@ -9,8 +9,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/compare/driving_power.hpp"
-#include "beadswim/compare/swimming.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 

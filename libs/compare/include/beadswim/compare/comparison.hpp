@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/compare/swimming.hpp"
+#include "beadswim/compare/result_quantity.hpp"
 #include "beadswim/core/fields.hpp"
 
 // Comparison of runs with references (predictions or other runs), and the verdict: whether a run agrees with
@@ -18,6 +18,18 @@ namespace beadswim {
 /// Quantities that are compared unless others are chosen.
 inline constexpr std::array default_quantities{ResultQuantity::velocity, ResultQuantity::arm_amplitudes,
                                                ResultQuantity::sin_phase_shift};
+
+/// Scales of a swimmer's motion, to which the errors of quantities that should be zero are relative.
+struct MotionScale {
+  double period = 1;           ///< [time]
+  double length = 0;           ///< longest mean arm, or radius of the largest bead [length]
+  double speed = 0;            ///< largest speed of a bead [length/time]
+  double numerical_error = 0;  ///< error of velocities; 0 if none is stated [length/time]
+
+  /// Returns the scale of a quantity for beads of this speed: their displacement in one radian of the drives
+  /// for lengths, bead_speed/length for angular velocities, 1 for angles and sines, 0 (none) for others.
+  double size_of(ResultQuantity quantity, double bead_speed) const;
+};
 
 /// One swimmer of a run.
 struct RunSwimmer {
@@ -49,45 +61,26 @@ struct Criterion {
 /// Comparison of one number of a run with the corresponding number of a reference.
 struct ComparisonRow {
   ResultQuantity quantity{};
-  std::optional<int> arm;  ///< number of the arm, from 1, for quantities of arms; otherwise empty
-  std::string run_source;
+  std::optional<int> arm{};  ///< number of the arm, from 1, for quantities of arms; otherwise empty
+  std::string run_file;
   int swimmer = 0;
-  std::string reference_source, method;
+  std::string reference_file, method;
   bool usable = true;
   double run = 0, reference = 0;
   double relative_error = 0;
-  std::optional<double> run_uncertainty, reference_uncertainty;  ///< relative; nullopt: unknown
+  std::optional<double> run_uncertainty{}, reference_uncertainty{};  ///< relative; nullopt: unknown
   double tolerance = 0;
   bool pass = false;
   bool decides = false;
 
-  static void visit_fields(auto&& visit, auto& row) {
-    visit("quantity", row.quantity);
-    visit("arm", row.arm, omitted_if_none);
-    visit("run_file", row.run_source);
-    visit("swimmer", row.swimmer);
-    visit("run", row.run);
-    visit("reference_file", row.reference_source);
-    visit("reference", row.reference);
-    visit("method", row.method);
-    visit("usable", row.usable);
-    visit("relative_error", row.relative_error, null_if_infinite);
-    visit("run_uncertainty", row.run_uncertainty);
-    visit("reference_uncertainty", row.reference_uncertainty);
-    visit("tolerance", row.tolerance);
-    visit("pass", row.pass);
-    visit("decides", row.decides);
-  }
+  BEADSWIM_FIELDS(quantity, (arm, omitted_if_none), run_file, swimmer, run, reference_file, reference, method,
+                  usable, (relative_error, null_if_infinite), run_uncertainty, reference_uncertainty,
+                  tolerance, pass, decides)
 };
 
 /// Returns difference/|reference|. Returns 0 if both numbers are zero, and infinity with the sign of
 /// `difference` if only the reference is zero.
 double relative_error(double difference, double reference);
-
-/// Returns the size up to which a value of a reference is a numerical error: by roundoff of bead positions,
-/// by the accuracy of bead velocities (1e-10 of MotionScale::speed), or as the reference states. The error of
-/// a phase is that of the smaller of two arm amplitudes, divided by this amplitude.
-double zero_threshold(const MotionScale& scale, const Reference& reference, ResultQuantity quantity);
 
 /// Returns the root mean square of `values`. There must be at least one value.
 double root_mean_square(std::span<const double> values);

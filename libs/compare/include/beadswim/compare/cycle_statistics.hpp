@@ -9,6 +9,7 @@
 
 #include "beadswim/compare/stroke_fit.hpp"
 #include "beadswim/core/background_flow.hpp"
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
@@ -81,5 +82,12 @@ StrokeFit fit_cycle(std::span<const SwimmerSample> samples, double period,
 /// efficiency are left empty. Throws InputError if the samples do not satisfy the conditions.
 CycleStatistics cycle_statistics(int index, std::span<const SwimmerSample> samples, const SwimmerType& type,
                                  const Eigen::Matrix3d& initial_orientation, const BackgroundFlow& flow = {});
+
+/// Returns the swimmer's velocity relative to the fluid [length/time]. The mean flow is subtracted along
+/// periodic axes only: along other axes the walls define the frame of reference.
+Vec3 vector_relative_to_fluid(const CycleStatistics& cycle, const std::optional<Box>& box);
+
+/// Returns the component of vector_relative_to_fluid() along the swimmer's axis [length/time].
+double velocity_relative_to_fluid(const CycleStatistics& cycle, const std::optional<Box>& box);
 
 }  // namespace beadswim

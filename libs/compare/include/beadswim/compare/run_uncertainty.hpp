@@ -1,13 +1,45 @@
 #pragma once
 
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "beadswim/core/fields.hpp"
 
-// Uncertainties of the velocity and the arm amplitudes of a run, relative to their values in the last cycle.
+// Errors of the velocity and the arm amplitudes that are expected in a run, and their uncertainties, relative
+// to their values in the last cycle.
 
 namespace beadswim {
+
+/// Expected relative errors of a swimmer's velocity and arm amplitudes in a run.
+struct ErrorEstimate {
+  double velocity = 0;
+  std::array<double, 2> arm_amplitudes{};
+
+  double largest_of_arms() const { return std::max(arm_amplitudes[0], arm_amplitudes[1]); }
+  double largest() const { return std::max(velocity, largest_of_arms()); }  ///< maximum of all errors
+
+  BEADSWIM_FIELDS((velocity, omitted_if(0)), arm_amplitudes)  // zero if no swimmer swims
+};
+
+/// Returns a relative error as text in per cent: two digits below 100 %, no decimals above, and "more than
+/// 1000 %" for larger values.
+inline std::string in_percent(double share) {
+  if (share > 10) return "more than 1000 %";
+  return share < 1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
+}
+
+/// Limits of the relative errors that are expected in a run, by cause: the largest of all its swimmers.
+struct ExpectedErrors {
+  ErrorEstimate total;       ///< difference from the motion of the scene at infinite resolution
+  ErrorEstimate resolution;  ///< by cells and time steps, or by the accuracy of mobility products
+  ErrorEstimate wander;      ///< by the place of the beads within cells; 0 without a lattice
+  ErrorEstimate box;         ///< not an error: change by walls and images, compared with open space
+};
 
 /// Relative uncertainties of one quantity in the last cycle of a run, by cause; nullopt: unknown.
 struct QuantityUncertainty {
@@ -19,13 +51,7 @@ struct QuantityUncertainty {
   std::optional<double> box =
       {};  ///< not part of `total`: change by walls and images, compared with open space
 
-  static void visit_fields(auto&& visit, auto& uncertainty) {
-    visit("resolution", uncertainty.resolution);
-    visit("wander", uncertainty.wander);
-    visit("transient", uncertainty.transient);
-    visit("total", uncertainty.total);
-    visit("box", uncertainty.box);
-  }
+  BEADSWIM_FIELDS(resolution, wander, transient, total, box)
 };
 
 /// Uncertainties of the last cycle of a swimmer; for the arm amplitudes, those of the arm with the larger
@@ -33,10 +59,7 @@ struct QuantityUncertainty {
 struct SwimmerUncertainty {
   QuantityUncertainty velocity, arm_amplitudes;
 
-  static void visit_fields(auto&& visit, auto& uncertainty) {
-    visit("velocity", uncertainty.velocity);
-    visit("arm_amplitudes", uncertainty.arm_amplitudes);
-  }
+  BEADSWIM_FIELDS(velocity, arm_amplitudes)
 };
 
 /// Returns the root of the sum of squares of resolution, wander and transient; nullopt if one of them is

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "beadswim/compare/cycle_choice.hpp"
-#include "beadswim/compare/swimming.hpp"
+#include "beadswim/compare/comparison.hpp"
 #include "beadswim/documents/prediction_document.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "beadswim/compare/expected_errors.hpp"
+#include "beadswim/compare/run_uncertainty.hpp"
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/mobility/mobility_model.hpp"
 #include "beadswim/overdamped/overdamped_setup.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/compare/expected_errors.hpp"
+#include "beadswim/compare/run_uncertainty.hpp"
 #include "beadswim/core/message.hpp"
 #include "beadswim/core/round_up.hpp"
 #include "beadswim/core/vec3.hpp"
