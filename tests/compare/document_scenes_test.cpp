@@ -1,4 +1,4 @@
-#include "beadswim/documents/document_scenes.hpp"
+#include "beadswim/documents/swimming_document.hpp"
 
 #include <gtest/gtest.h>
 

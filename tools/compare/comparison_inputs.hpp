@@ -6,7 +6,6 @@
 
 #include "beadswim/compare/comparison.hpp"
 #include "beadswim/compare/cycle_choice.hpp"
-#include "beadswim/documents/document_scenes.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"
 

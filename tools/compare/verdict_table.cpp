@@ -7,7 +7,7 @@
 #include <functional>
 #include <map>
 
-#include "beadswim/documents/study_text.hpp"
+#include "beadswim/documents/layout_document.hpp"
 
 namespace beadswim {
 namespace {

@@ -11,14 +11,10 @@ constexpr const char* schema_name = "beadswim/failure/1";
 
 }  // namespace
 
-Json failure_to_json(const FailureDocument& failure) {
+std::string failure_line(const FailureDocument& failure) {
   Json json{{"schema", schema_name}, {"status", "failed"}};
   add_fields(json, failure);
-  return json;
-}
-
-std::string failure_line(const FailureDocument& failure) {
-  return dump_json_line(failure_to_json(failure));
+  return dump_json_line(json);
 }
 
 void require_no_failures(int failed, int count, const std::string& lack) {

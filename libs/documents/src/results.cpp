@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "beadswim/compare/comparison.hpp"
+#include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/scene/units.hpp"
 
 namespace beadswim {
@@ -61,21 +61,6 @@ Motion motion_in(const Prediction& prediction, const SwimmerType* type) {
   return motion;
 }
 
-// --- Computation of results; those without numbers are unknown
-
-ResultValue number(const std::optional<double>& known) {
-  return known ? ResultValue{{*known}} : ResultValue{};
-}
-
-template <int axis>
-ResultValue component(const std::optional<Vec3>& vector) {
-  return vector ? ResultValue{{(*vector)[axis]}} : ResultValue{};
-}
-
-ResultValue magnitude(const std::optional<Vec3>& vector) {
-  return vector ? ResultValue{{vector->norm()}, vector} : ResultValue{};
-}
-
 /// Smallest gap between the surfaces of the two beads of an arm, whose length is mean + d cos(w t + delta):
 /// mean - d - a_1 - a_2.
 ResultValue smallest_gap(const Motion& motion) {
@@ -92,36 +77,28 @@ ResultValue smallest_gap(const Motion& motion) {
   return {{smallest}};
 }
 
-struct Computation {
-  ResultQuantity quantity;
-  ResultValue (*value)(const Motion&);
-};
-
-// clang-format off
-constexpr std::array computations{
-    Computation{ResultQuantity::velocity, [](const Motion& m) { return m.velocity; }},
-    Computation{ResultQuantity::velocity_x, [](const Motion& m) { return component<0>(m.velocity_vector); }},
-    Computation{ResultQuantity::velocity_y, [](const Motion& m) { return component<1>(m.velocity_vector); }},
-    Computation{ResultQuantity::velocity_z, [](const Motion& m) { return component<2>(m.velocity_vector); }},
-    Computation{ResultQuantity::angular_velocity, [](const Motion& m) { return magnitude(m.angular_velocity); }},
-    Computation{ResultQuantity::angular_velocity_x, [](const Motion& m) { return component<0>(m.angular_velocity); }},
-    Computation{ResultQuantity::angular_velocity_y, [](const Motion& m) { return component<1>(m.angular_velocity); }},
-    Computation{ResultQuantity::angular_velocity_z, [](const Motion& m) { return component<2>(m.angular_velocity); }},
-    Computation{ResultQuantity::arm_amplitudes, [](const Motion& m) { return m.arm_amplitudes; }},
-    Computation{ResultQuantity::arm_phases, [](const Motion& m) { return ResultValue{m.arm_phases}; }},
-    Computation{ResultQuantity::sin_phase_shift, [](const Motion& m) { return m.sin_phase_shift; }},
-    Computation{ResultQuantity::power, [](const Motion& m) { return number(m.power); }},
-    Computation{ResultQuantity::efficiency, [](const Motion& m) { return number(m.efficiency); }},
-    Computation{ResultQuantity::gap, smallest_gap}};
-// clang-format on
-
-static_assert(std::ranges::equal(computations, result_rows, {}, &Computation::quantity,
-                                 &ResultRow::quantity));
-
+/// Returns the results that are known.
 Results results_of(const Motion& motion) {
-  Results results;
-  for (const auto& [quantity, value_in] : computations)
-    if (ResultValue value = value_in(motion); !value.numbers.empty()) results[quantity] = std::move(value);
+  using enum ResultQuantity;
+  const auto number = [](const std::optional<double>& known) {
+    return known ? ResultValue{{*known}} : ResultValue{};
+  };
+  const std::optional<Vec3>&vector = motion.velocity_vector, &rotation = motion.angular_velocity;
+  Results results{{velocity, motion.velocity},
+                  {angular_velocity, rotation ? ResultValue{{rotation->norm()}, rotation} : ResultValue{}},
+                  {arm_amplitudes, motion.arm_amplitudes},
+                  {arm_phases, {motion.arm_phases}},
+                  {sin_phase_shift, motion.sin_phase_shift},
+                  {power, number(motion.power)},
+                  {efficiency, number(motion.efficiency)},
+                  {gap, smallest_gap(motion)}};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (vector) results[std::array{velocity_x, velocity_y, velocity_z}[axis]] = {{(*vector)[axis]}};
+    if (rotation)
+      results[std::array{angular_velocity_x, angular_velocity_y, angular_velocity_z}[axis]] = {
+          {(*rotation)[axis]}};
+  }
+  std::erase_if(results, [](const auto& row) { return row.second.numbers.empty(); });
   return results;
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "beadswim/core/rank_failure.hpp"
-#include "beadswim/documents/study_text.hpp"
+#include "beadswim/documents/layout_document.hpp"
 #include "beadswim/plan/run_plan.hpp"
 #include "one_run.hpp"
 #include "stream/stream_runs.hpp"

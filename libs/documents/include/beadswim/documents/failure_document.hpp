@@ -13,16 +13,8 @@ struct FailureDocument {
   std::string reason;
   Json study{};  ///< study of the layout (layout_document.hpp)
 
-  static void visit_fields(auto&& visit, auto& failure) {
-    visit("program", failure.program);
-    visit("member", failure.member);
-    visit("reason", failure.reason);
-    visit("study", failure.study, omitted_if_none);
-  }
+  BEADSWIM_FIELDS(program, member, reason, (study, omitted_if_none))
 };
-
-/// Returns the document as JSON.
-Json failure_to_json(const FailureDocument& failure);
 
 /// Returns the document as a line of JSON.
 std::string failure_line(const FailureDocument& failure);

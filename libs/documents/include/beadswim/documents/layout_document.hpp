@@ -43,4 +43,10 @@ Json scene_to_json(const Layout& layout);
 /// and name of the document.
 Layout scene_from_json(const Json& scene, const Units& units, const std::string& source);
 
+/// Returns the text of a value of a study: a word as it is, a number with `digits` significant digits.
+std::string study_value_text(const Json& value, int digits);
+
+/// Returns the values of a study as "period = 2400, frame = lab"; empty without a study.
+std::string study_text(const Json& study, int digits);
+
 }  // namespace beadswim

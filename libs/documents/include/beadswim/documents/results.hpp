@@ -8,7 +8,7 @@
 #include "beadswim/theory/prediction.hpp"
 
 // Results of swimmers in runs and predictions: what programs compare, draw, search and limit. A new result is
-// an enumerator and a row in compare/result_quantity.hpp, and a row in results.cpp, with its computation.
+// an enumerator and a row in compare/result_quantity.hpp, and its computation in results.cpp.
 
 namespace beadswim {
 

@@ -5,10 +5,11 @@
 #include <variant>
 #include <vector>
 
-#include "beadswim/compare/cycle_choice.hpp"
 #include "beadswim/compare/comparison.hpp"
+#include "beadswim/compare/cycle_choice.hpp"
 #include "beadswim/documents/prediction_document.hpp"
 #include "beadswim/documents/run_record_document.hpp"
+#include "beadswim/scene/scene_differences.hpp"
 
 // Documents that contain velocity and stroke of swimmers: run records and predictions.
 
@@ -71,5 +72,14 @@ MeasuredStroke measured_stroke(const RunRecord& run, std::optional<int> swimmer,
 /// Returns the record of the swimmer with this id. Throws InputError if the run has no such swimmer; the
 /// message lists the ids of the run.
 const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::string& source);
+
+/// Returns the differences between the scenes of a run and its reference, which must have the same units. If
+/// one of the documents contains no scene, compares the properties that both state: a run record states
+/// domain, swimmers and driving, a prediction the driving of its swimmer.
+std::vector<SceneDifference> scene_differences(const RunRecord& run, const SwimmingDocument& reference);
+
+/// Returns the difference in words, for example "period 2000 instead of 4800": the value of the reference
+/// instead of the value of the run.
+std::string in_words(const SceneDifference& difference);
 
 }  // namespace beadswim
