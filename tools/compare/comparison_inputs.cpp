@@ -49,13 +49,6 @@ std::vector<SceneDifference> require_same_scene(const RunFile& run, const Source
                                run.source, fmt::join(refused, "; "), fmt::join(names, ",")));
 }
 
-/// Adds differences that `all` does not contain yet.
-void append(std::vector<SceneDifference>& all, const std::vector<SceneDifference>& more) {
-  for (const SceneDifference& difference : more) {
-    if (std::ranges::find(all, difference) == all.end()) all.push_back(difference);
-  }
-}
-
 // --- References of one swimmer
 
 /// Returns the axis of the swimmer for which a prediction states vectors; nullopt if it is not that of the
@@ -67,27 +60,37 @@ std::optional<Vec3> predicted_axis(const PredictionDocument& document, const Pre
   return swimmer->orientation().col(0);
 }
 
+/// Returns a swimmer of a run.
+RunSwimmer swimmer_in(const RunRecord& run, int id, const CycleChoice& cycle, const std::string& source) {
+  const SwimmerRecord& swimmer = find_swimmer(run, id, source);
+  return {.source = source,
+          .id = id,
+          .results = results_of(run, swimmer, cycle, source, RunUncertainty::of_cycle),
+          .scale = motion_scale_of(run, swimmer, cycle, source),
+          .axis = select_cycles(swimmer.cycles, cycle, source).back().axis};
+}
+
 /// Returns the references for a swimmer that one file contains: one reference for a run record, one per
 /// method for predictions.
-std::vector<Reference> references_for(int swimmer, const SourceDocument& file, const CycleChoice& cycle) {
+std::vector<Reference> references_for(int id, const SourceDocument& file, const CycleChoice& cycle) {
   if (const auto* run = std::get_if<RunRecord>(&file.document)) {
-    const SwimmerRecord& record = find_swimmer(*run, swimmer, file.source);
+    const RunSwimmer swimmer = swimmer_in(*run, id, cycle, file.source);
     return {Reference{.source = file.source,
                       .method = "run",
                       .usable = true,
-                      .results = results_of(*run, record, cycle, file.source, RunUncertainty::of_cycle),
-                      .numerical_error = motion_scale_of(*run, record, cycle, file.source).numerical_error,
-                      .axis = select_cycles(record.cycles, cycle, file.source).back().axis}};
+                      .results = swimmer.results,
+                      .numerical_error = swimmer.scale.numerical_error,
+                      .axis = swimmer.axis}};
   }
   std::vector<Reference> references;
   const auto& document = std::get<PredictionDocument>(file.document);
-  if (document.swimmer != swimmer) return references;
+  if (document.swimmer != id) return references;
   const Layout* scene = document.scene ? &*document.scene : nullptr;
   for (const Prediction& prediction : document.predictions) {
     references.push_back({.source = file.source,
                           .method = prediction.method,
                           .usable = prediction.usable,
-                          .results = results_of(prediction, scene, swimmer),
+                          .results = results_of(prediction, scene, id),
                           .numerical_error = number_setting(prediction, "numerical_error").value_or(0),
                           .axis = predicted_axis(document, prediction)});
   }
@@ -116,8 +119,7 @@ References references_for(int swimmer, const ComparisonInputs& inputs, const Cyc
 /// Returns the index of the first reference whose method has this name. Throws InputError if no reference has
 /// this method, or if its prediction is not usable.
 std::size_t reference_named(const std::string& method, std::span<const Reference> references) {
-  const auto has_name = [&](const Reference& reference) { return reference.method == method; };
-  const auto found = std::find_if(references.begin(), references.end(), has_name);
+  const auto found = std::ranges::find(references, method, &Reference::method);
   if (found == references.end()) {
     std::vector<std::string> names;
     for (const Reference& reference : references) names.push_back(reference.method);
@@ -149,15 +151,8 @@ void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const Compar
                                  VerdictDocument& result) {
   const References references = references_for(id, inputs, request.cycle);
   std::vector<RunSwimmer> in_runs;
-  for (const RunFile& run : inputs.runs) {
-    const SwimmerRecord& swimmer = find_swimmer(run.record, id, run.source);
-    in_runs.push_back(
-        {.source = run.source,
-         .id = id,
-         .results = results_of(run.record, swimmer, request.cycle, run.source, RunUncertainty::of_cycle),
-         .scale = motion_scale_of(run.record, swimmer, request.cycle, run.source),
-         .axis = select_cycles(swimmer.cycles, request.cycle, run.source).back().axis});
-  }
+  for (const RunFile& run : inputs.runs)
+    in_runs.push_back(swimmer_in(run.record, id, request.cycle, run.source));
   // A swimmer with fewer than two bonds has no phase shift.
   std::erase_if(request.quantities,
                 [&](ResultQuantity quantity) { return !in_runs.front().results.contains(quantity); });
@@ -186,7 +181,10 @@ VerdictDocument compare(const ComparisonInputs& inputs, const ComparisonRequest&
     require_success(reference.document, reference.source);
   for (const RunFile& run : inputs.runs) {
     for (const SourceDocument& reference : inputs.references)
-      append(result.scene_differences, require_same_scene(run, reference, request.allowed_differences));
+      for (const SceneDifference& difference :
+           require_same_scene(run, reference, request.allowed_differences))
+        if (std::ranges::find(result.scene_differences, difference) == result.scene_differences.end())
+          result.scene_differences.push_back(difference);
     costs.push_back(run.record.cost);
   }
   result.cost = total_cost(costs);

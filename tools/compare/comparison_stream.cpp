@@ -51,24 +51,19 @@ bool ComparisonFiles::is_stream() const {
 }
 
 const SwimmingDocument& ComparisonFiles::only_document(File& file) {
-  if (!file.only && !file.stream) file.only = run_of_trajectory(file.path);
-  if (!file.only) {
-    const StreamMember member = *file.stream->next();
-    file.only = swimming_from_json(parse_json(member.text, member.source), member.source);
-  }
-  return *file.only;
+  if (file.only) return *file.only;
+  if (!file.stream) return file.only.emplace(run_of_trajectory(file.path));
+  const StreamMember member = *file.stream->next();
+  return file.only.emplace(swimming_from_json(parse_json(member.text, member.source), member.source));
 }
 
 ComparisonInputs ComparisonFiles::all() {
   ComparisonInputs inputs;
   for (File& file : runs_) {
     const std::string source = source_name(file.path);
-    if (!file.stream) {
-      inputs.runs.push_back({source, run_of_trajectory(file.path)});
-    } else {
-      const StreamMember member = *file.stream->next();
-      inputs.runs.push_back({source, run_from_json(parse_json(member.text, source), source)});
-    }
+    const auto member = file.stream ? file.stream->next() : std::nullopt;
+    inputs.runs.push_back({source, member ? run_from_json(parse_json(member->text, source), source)
+                                          : run_of_trajectory(file.path)});
   }
   for (File& file : references_) inputs.references.push_back({source_name(file.path), only_document(file)});
   return inputs;

@@ -11,13 +11,7 @@ namespace {
 
 using namespace beadswim;
 
-/// Values of flags as text, before they are converted to members of ComparisonRequest.
-struct Flags {
-  std::string method;
-  std::string cycle = "last";
-};
-
-void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
+void add_flags(CLI::App& program, ComparisonRequest& request, std::string& cycle) {
   program
       .add_option(
           "FILES", request.files,
@@ -33,7 +27,8 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
       ->allow_extra_args(false)
       ->default_str("none");
   program
-      .add_option("--method", flags.method, "Theory method that determines the verdict, or run for a record")
+      .add_option("--method", request.method,
+                  "Theory method that determines the verdict, or run for a record")
       ->type_name("NAME")
       ->default_str("first usable of inertia-corrected, multipole-ode, rpy-ode, rpy-perturbation, others");
   request.quantities.assign(default_quantities.begin(), default_quantities.end());
@@ -49,7 +44,7 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
       ->default_val(0.05)
       ->check(fraction());
   program
-      .add_option("--cycle", flags.cycle,
+      .add_option("--cycle", cycle,
                   "Driving cycle of each run that is compared: the last, cycle number N (the first is 1), or "
                   "the mean over the last N cycles")
       ->type_name("last|N|mean:N");
@@ -68,11 +63,6 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
              {"beadswim-compare run.json theory.json --method rpy-box-ode >verdict.json",
               "beadswim-compare lbm.json run.json --quantity velocity --tolerance 0.5"},
              "reading-results.md");
-}
-
-void apply(const Flags& flags, ComparisonRequest& request) {
-  if (!flags.method.empty()) request.method = flags.method;
-  request.cycle = parse_cycle_choice(flags.cycle);
 }
 
 int compare_single(ComparisonFiles& files, const ComparisonRequest& request) {
@@ -108,10 +98,10 @@ int run(int argc, const char* const* argv) {
       "Compares runs with a prediction or another run. Prints the verdict as JSON on standard output and as "
       "a table on standard error. The exit status is 1 if the verdict is negative.");
   ComparisonRequest request;
-  Flags flags;
-  add_flags(*program, request, flags);
+  std::string cycle = "last";
+  add_flags(*program, request, cycle);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
-  apply(flags, request);
+  request.cycle = parse_cycle_choice(cycle);
   ComparisonFiles files(request);
   return files.is_stream() ? compare_stream(files, request) : compare_single(files, request);
 }
