@@ -10,7 +10,7 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/names.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
 #include "result_series.hpp"

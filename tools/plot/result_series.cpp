@@ -10,8 +10,8 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
-#include "beadswim/documents/study_text.hpp"
+#include "beadswim/core/names.hpp"
+#include "beadswim/documents/layout_document.hpp"
 #include "beadswim/scene/units.hpp"
 #include "plot_labels.hpp"
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/documents/document_scenes.hpp"
+#include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/scene/units.hpp"
 #include "errors.hpp"
 #include "kinds.hpp"

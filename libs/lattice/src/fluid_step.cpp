@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "beadswim/core/kernel_choice.hpp"
+#include "beadswim/core/kernel.hpp"
 #include "row_kernels.hpp"
 
 #if defined(__SSE2__)

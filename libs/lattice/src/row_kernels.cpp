@@ -3,8 +3,8 @@
 // could keep the AVX-512 copy, which other processors cannot execute.
 #include "row_kernels.hpp"
 
-#include "beadswim/core/lanes.hpp"
-#include "beadswim/core/order_free_terms.hpp"
+#include "beadswim/core/kernel.hpp"
+#include "beadswim/core/order_free_lanes.hpp"
 #include "beadswim/lattice/body_force.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 #include "beadswim/lattice/trt.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "beadswim/core/kernel_choice.hpp"
+#include "beadswim/core/kernel.hpp"
 #include "row_kernels.hpp"
 
 namespace beadswim {

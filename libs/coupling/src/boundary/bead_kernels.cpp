@@ -2,8 +2,8 @@
 // functions outside this namespace (reason: lattice/src/row_kernels.cpp).
 #include "bead_kernels.hpp"
 
-#include "beadswim/core/lanes.hpp"
-#include "beadswim/core/order_free_terms.hpp"
+#include "beadswim/core/kernel.hpp"
+#include "beadswim/core/order_free_lanes.hpp"
 #include "beadswim/coupling/link_laws.hpp"
 #include "beadswim/coupling/saturated_cell.hpp"
 

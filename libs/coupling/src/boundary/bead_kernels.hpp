@@ -76,7 +76,7 @@ struct BeadKernels {
   }
 
   static const BeadKernels baseline, x86_64_v3,
-      x86_64_v4;  ///< of each instruction set (core/kernel_choice.hpp)
+      x86_64_v4;  ///< of each instruction set (core/kernel.hpp)
 };
 
 }  // namespace beadswim

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "bead_kernels.hpp"
-#include "beadswim/core/kernel_choice.hpp"
+#include "beadswim/core/kernel.hpp"
 #include "beadswim/coupling/bead_links.hpp"
 #include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/link_laws.hpp"

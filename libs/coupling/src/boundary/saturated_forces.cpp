@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bead_kernels.hpp"
-#include "beadswim/core/kernel_choice.hpp"
+#include "beadswim/core/kernel.hpp"
 #include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/saturated_cell.hpp"
 #include "beadswim/coupling/saturated_cells.hpp"

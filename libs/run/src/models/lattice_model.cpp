@@ -3,7 +3,7 @@
 #include <cmath>
 #include <new>
 
-#include "beadswim/core/data_error.hpp"
+#include "beadswim/core/error.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/run/velocity_roundoff.hpp"

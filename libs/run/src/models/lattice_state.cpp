@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "beadswim/core/data_error.hpp"
+#include "beadswim/core/error.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
 
 namespace beadswim {
