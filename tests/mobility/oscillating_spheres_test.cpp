@@ -7,12 +7,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/mobility/multipole_mobility.hpp"
 
 namespace beadswim {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi, viscosity = 1.3;
 constexpr std::array radii{1.0, 1.0, 2.0}, positions{0.0, 2.5, 7.5};
 

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <complex>
 #include <numbers>
 
-namespace beadswim {
+#include "beadswim/core/complex.hpp"
 
-using Complex = std::complex<double>;
+namespace beadswim {
 
 /// Returns the inverse penetration depth alpha of an oscillating flow, alpha^2 = i omega rho / eta, with this
 /// modulus. The argument of alpha is therefore pi/4.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/perturbation.hpp"
 #include "scenes.hpp"
@@ -12,7 +13,6 @@ namespace beadswim {
 namespace {
 
 /// Induced forces of no particular phases, with sum zero.
-using Complex = std::complex<double>;
 const Eigen::Vector3cd some_force(Complex(0.1, -0.08), Complex(-0.14, -0.08), Complex(0.04, 0.16));
 
 Eigen::Vector3d in_box(const CollinearSwimmer& swimmer, const Box& box, const std::array<double, 3>& middle) {

@@ -5,10 +5,10 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
-#include <complex>
 #include <functional>
 #include <vector>
 
+#include "beadswim/core/complex.hpp"
 #include "lone_sphere_flow.hpp"
 #include "scenes.hpp"
 #include "space_integral.hpp"
@@ -16,9 +16,7 @@
 namespace beadswim {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
-constexpr Complex i_unit{0, 1};
 
 // ---- A single bead
 

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+
+#include "beadswim/core/complex.hpp"
 
 // Tests the flow of a single sphere with the equations that this flow must satisfy.
 
 namespace beadswim {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 constexpr double a = 4, eta = 1.0 / 3;
 const Complex diagonal(std::sqrt(0.5), std::sqrt(0.5));  // the direction of alpha

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/theory/unsteady_multipole.hpp"
 #include "outside_nodes.hpp"
 #include "scenes.hpp"
@@ -13,8 +14,6 @@
 
 namespace beadswim {
 namespace {
-
-using Complex = std::complex<double>;
 
 /// Returns the mean power of the dashpots for the complex arm amplitudes `arm`.
 double dissipation_in_dashpots(const CollinearSwimmer& swimmer, const Eigen::Vector2cd& arm) {

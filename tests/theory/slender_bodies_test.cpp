@@ -3,9 +3,9 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/scene/gallery.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
@@ -119,12 +119,11 @@ struct ElasticRod {
   double power() const;
 
  private:
-  using Complex = std::complex<double>;
   /// Complex amplitude of the n-th derivative of y at x.
   Complex derivative(int n, double x) const;
 };
 
-ElasticRod::Complex ElasticRod::derivative(int n, double x) const {
+Complex ElasticRod::derivative(int n, double x) const {
   Eigen::Vector4cd roots;
   for (int j = 0; j < 4; ++j)
     roots[j] = std::pow(Complex(0, -frequency * across / stiffness), 0.25) * std::pow(Complex(0, 1), j);

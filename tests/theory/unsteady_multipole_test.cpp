@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/theory/perturbation.hpp"
 #include "outside_nodes.hpp"
 #include "scenes.hpp"
@@ -14,7 +14,6 @@
 namespace beadswim {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 
 /// Returns the motion at a resolution, in fluid of density `rho`.

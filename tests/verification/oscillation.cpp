@@ -1,7 +1,6 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <complex>
-
+#include "beadswim/core/complex.hpp"
 #include "beadswim/mobility/line_flow.hpp"
 #include "beadswim/mobility/unsteady_sphere.hpp"
 #include "cases.hpp"
@@ -17,7 +16,6 @@
 namespace beadswim::verification {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr double box_in_radii = 8;
 
 struct Oscillation {

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/plan/sound_flow.hpp"
 #include "beadswim/theory/reynolds_stress.hpp"
 
 namespace beadswim {
 namespace {
 
-using Complex = std::complex<double>;
-constexpr Complex i_unit{0, 1};
 constexpr double frequency_step = 0.02;  // relative change of frequency in the difference quotient
 
 }  // namespace

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/core/complex.hpp"
+
 namespace beadswim {
 namespace {
 
-using Complex = std::complex<double>;
-constexpr Complex i_unit{0, 1};
 constexpr double pi = std::numbers::pi;
 
 double shell(double wave_times_radius) {

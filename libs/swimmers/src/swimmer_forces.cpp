@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <vector>
+
+#include "beadswim/core/complex.hpp"
 
 namespace beadswim {
 namespace {
@@ -116,7 +117,6 @@ BeadVectors angle_forces(const SwimmerType& type, double time, const BeadVectors
 }
 
 std::map<int, double> net_forces(const Driving& driving) {
-  using Complex = std::complex<double>;
   std::map<int, std::pair<Eigen::Vector3cd, double>> sums;  // of the forces, and of their sizes
   for (const ForceDrive& drive : driving.forces) {
     const auto add = [&](int multiple, const Complex& amplitude) {

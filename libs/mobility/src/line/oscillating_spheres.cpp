@@ -4,13 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/mobility/gauss_legendre.hpp"
 
 namespace beadswim {
 
 namespace {
-
-using Complex = std::complex<double>;
 
 /// Returns h_1 = 2 (1 - (1 + x) e^-x)/x^2.
 Complex first_h(Complex x) {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/core/complex.hpp"
 #include "ewald_cutoff.hpp"
 
 namespace beadswim {
 
 namespace {
 
-using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 
 /// Evaluates (1 - e^{-z})/z.

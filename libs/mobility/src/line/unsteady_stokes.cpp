@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/core/complex.hpp"
+
 namespace beadswim {
 
 namespace {
-
-using Complex = std::complex<double>;
 
 /// A radial function h(r) and its derivatives D h, D^2 h and D^3 h, where D = (1/r) d/dr.
 using RadialDerivatives = std::array<Complex, 4>;

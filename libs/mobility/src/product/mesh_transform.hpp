@@ -3,15 +3,13 @@
 #include <fftw3.h>
 
 #include <array>
-#include <complex>
 #include <memory>
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/complex.hpp"
 
 namespace beadswim {
-
-using Complex = std::complex<double>;
 
 struct FftwFree {
   void operator()(double* memory) const { fftw_free(memory); }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/box_mobility.hpp"
 #include "beadswim/theory/box_reynolds_stress.hpp"
@@ -17,8 +18,6 @@
 namespace beadswim {
 
 namespace {
-
-using Complex = std::complex<double>;
 
 /// The flow in unbounded fluid, and the same at a coarser resolution.
 struct OpenFlow {

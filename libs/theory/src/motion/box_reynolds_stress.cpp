@@ -5,22 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <memory>
 #include <numbers>
 #include <type_traits>
 #include <vector>
 
 #include "beadswim/core/box.hpp"
+#include "beadswim/core/complex.hpp"
 #include "beadswim/mobility/unsteady_sphere.hpp"
 #include "beadswim/theory/box_mobility.hpp"
 
 namespace beadswim {
 
 namespace {
-
-using Complex = std::complex<double>;
-constexpr Complex i_unit{0, 1};
 
 /// A bead or a mirror image of a bead. `sign`: -1 if the force on it along the swimmer is reversed.
 struct Source {

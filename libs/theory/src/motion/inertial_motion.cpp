@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/mobility/unsteady_sphere.hpp"
 #include "beadswim/theory/box_mobility.hpp"
@@ -10,9 +11,6 @@
 namespace beadswim {
 
 namespace {
-
-using Complex = std::complex<double>;
-constexpr Complex i_unit{0, 1};
 
 /// Returns the mass of each bead minus the mass of the fluid that it displaces [mass].
 Eigen::Vector3d excess_masses(const InertialScene& scene) {

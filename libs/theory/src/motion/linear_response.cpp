@@ -2,12 +2,11 @@
 
 #include <Eigen/LU>
 
+#include "beadswim/core/complex.hpp"
+
 namespace beadswim {
 
 namespace {
-
-using Complex = std::complex<double>;
-constexpr Complex i_unit{0, 1};
 
 /// Returns k_i + i omega c_i for both arms (stiffness k_i, damping c_i): complex tension of spring and
 /// dashpot per change of the arm length [mass/time^2].

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/mobility/gauss_legendre.hpp"
 #include "outside_nodes.hpp"
 
@@ -10,7 +11,6 @@ namespace beadswim {
 
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::MatrixXcd;
 
 /// Returns for each k the matrix of the elements -int_j <xi_j du1/dx> . t^k dS per U_i U_j*, in row i and

@@ -1,14 +1,14 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/math/special_functions/sinc.hpp>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/core/dense_systems.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/trigonometric_nodes.hpp"
@@ -23,7 +23,6 @@ namespace {
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Complex = std::complex<double>;
 
 /// Motions that change no spring: columns of bead velocities [length/time] per unit of their rates. The first
 /// three are translations along x, y, z, the next ones rotations about `axes`, the last ones deformations

@@ -2,12 +2,11 @@
 
 #include <Eigen/LU>
 
+#include "beadswim/core/complex.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/multipole_mobility.hpp"
 
 namespace beadswim {
-
-using Complex = std::complex<double>;
 
 std::optional<MultipoleResolution> sufficient_resolution(const CollinearSwimmer& swimmer) {
   constexpr double tolerance = 1e-10;  // of the steady mobility
