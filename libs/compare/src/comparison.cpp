@@ -1,11 +1,12 @@
 #include "beadswim/compare/comparison.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 namespace {
@@ -61,8 +62,7 @@ double set_numbers(const RunSwimmer& run, const Reference& reference, std::size_
   const auto& expected = other.vector;
   if (!vector || !expected)
     return is_angle(row.quantity) ? std::remainder(difference, 2 * std::numbers::pi) : difference;
-  if (run.axis && reference.axis)
-    vector = Eigen::Quaterniond::FromTwoVectors(*run.axis, *reference.axis) * *vector;
+  if (run.axis && reference.axis) vector = shortest_turn(*run.axis, *reference.axis) * *vector;
   const Vec3 along = (row.reference < 0 ? -1 : 1) * (expected->isZero(0) ? *vector : *expected).normalized();
   row.run = vector->dot(along);
   row.reference = expected->dot(along);

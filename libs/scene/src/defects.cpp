@@ -101,8 +101,7 @@ void scale_amplitudes(Driving& driving, double factor) {
 
 /// Gives the swimmer an axis. A swimmer with a turn of its own is turned by the shortest turn onto this axis.
 void set_axis(Swimmer& swimmer, const Vec3& axis) {
-  if (swimmer.turn)
-    swimmer.turn = (Eigen::Quaterniond::FromTwoVectors(swimmer.axis, axis) * *swimmer.turn).normalized();
+  if (swimmer.turn) swimmer.turn = (shortest_turn(swimmer.axis, axis) * *swimmer.turn).normalized();
   swimmer.axis = axis;
 }
 

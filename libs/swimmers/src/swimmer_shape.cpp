@@ -1,6 +1,5 @@
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <numbers>
@@ -48,6 +47,10 @@ Eigen::Matrix3d shortest_turn(const Vec3& axis) {
   }
   turn.col(0) = axis;
   return turn;
+}
+
+Eigen::Quaterniond shortest_turn(const Vec3& from, const Vec3& to) {
+  return Eigen::Quaterniond::FromTwoVectors(from, to);
 }
 
 std::vector<Vec3> rest_positions(const SwimmerType& type, const Vec3& origin,
@@ -106,7 +109,7 @@ Eigen::Matrix3d fitted_orientation(const SwimmerType& type, const BeadVectors& p
   const Eigen::Matrix3d moment = (positions.colwise() - Vec3(positions.rowwise().mean())) * at.transpose();
   if (const std::optional<Vec3> line = common_line(at)) {
     const Vec3 direction = (moment * *line).normalized();
-    return Eigen::Quaterniond::FromTwoVectors(near * *line, direction).toRotationMatrix() * near;
+    return shortest_turn(near * *line, direction).toRotationMatrix() * near;
   }
   if (n == 1) return near;
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <span>
 #include <vector>
 
@@ -27,6 +27,9 @@ inline BeadVectors columns_of_beads(std::span<const Vec3> beads) {
 /// Returns the shortest rotation of the x axis onto the unit vector `axis`. The first column is `axis`, bit
 /// by bit. For the axis -x it is the rotation by pi about z.
 Eigen::Matrix3d shortest_turn(const Vec3& axis);
+
+/// Returns the shortest rotation of one direction onto another.
+Eigen::Quaterniond shortest_turn(const Vec3& from, const Vec3& to);
 
 /// Returns the centres of the beads at rest. origin: position of the origin of the type's frame. For beads on
 /// the x axis of the type the result is origin + x axis, without further rounding.
