@@ -5,7 +5,7 @@
 // Cycles begin at rest, and the cost of the start is included. The errors are those of the time steps alone:
 // all runs use the same mobility products, and the reference is CVODE with a tolerance of 1e-10 arm lengths.
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "../mobility/bispherical.hpp"
 #include "../mobility/transverse_spheres.hpp"

@@ -1,6 +1,6 @@
 #include "bench_report.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "beadswim/core/version.hpp"
 #include "beadswim/io/fields_json.hpp"

@@ -1,11 +1,11 @@
 #include "comparison_inputs.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/documents/results.hpp"
 #include "beadswim/scene/units.hpp"
@@ -46,7 +46,7 @@ std::vector<SceneDifference> require_same_scene(const RunFile& run, const Source
   throw InputError(reference.source,
                    fmt::format("the reference was not made from the layout of the run {}: {}; compare files "
                                "made from the same layout, or allow differences with --allow-difference {}",
-                               run.source, fmt::join(refused, "; "), fmt::join(names, ",")));
+                               run.source, joined(refused, "; "), joined(names, ",")));
 }
 
 // --- References of one swimmer
@@ -125,7 +125,7 @@ std::size_t reference_named(const std::string& method, std::span<const Reference
     for (const Reference& reference : references) names.push_back(reference.method);
     throw InputError("--method",
                      fmt::format("no reference contains the method \"{}\"{} Available methods: {}", method,
-                                 format_suggestion(method, names), fmt::join(names, ", ")));
+                                 format_suggestion(method, names), joined(names, ", ")));
   }
   if (!found->usable) {
     throw InputError("--method", fmt::format("the method \"{}\" is marked unusable for this layout in {} and "

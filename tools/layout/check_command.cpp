@@ -1,11 +1,11 @@
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/theory/scene_numbers.hpp"
@@ -16,9 +16,9 @@
 namespace beadswim {
 namespace {
 
-std::string joined(std::span<const double> values) {
+std::string short_list(std::span<const double> values) {
   constexpr std::size_t max_values = 6;
-  if (values.size() <= max_values) return fmt::format("{:.4g}", fmt::join(values, ", "));
+  if (values.size() <= max_values) return joined(values, ", ", "{:.4g}");
   const auto [least, most] = std::ranges::minmax(values);
   return fmt::format("{:.4g} to {:.4g}", least, most);
 }
@@ -32,7 +32,7 @@ std::string row(const std::string& name, const std::optional<double>& value) {
   return value ? row(name, fmt::format("{:.4g}", *value)) : "";
 }
 std::string row(const std::string& name, std::span<const double> values) {
-  return values.empty() ? "" : row(name, joined(values));
+  return values.empty() ? "" : row(name, short_list(values));
 }
 
 std::string table_of(const std::string& name, const TypeNumbers& numbers) {

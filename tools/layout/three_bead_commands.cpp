@@ -1,10 +1,10 @@
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/swarm.hpp"
@@ -123,7 +123,7 @@ class SwimmerFlags {
     throw InputError(
         "command line",
         fmt::format("required flags are missing: {}; give these flags, or start from --preset {}",
-                    fmt::join(missing, ", "), presets_.front().name));
+                    joined(missing, ", "), presets_.front().name));
   }
 
   Layout preset_layout() const {

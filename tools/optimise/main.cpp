@@ -1,5 +1,4 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -7,6 +6,7 @@
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/study/stream.hpp"
 #include "beadswim/tools/named_flags.hpp"
@@ -120,8 +120,7 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
               "beadswim-optimise layout.json --free amplitude=0.01:0.3 --free stiffness=0.01:0.3 \\\n"
               "--maximise efficiency --subject-to power=:0.0001 --verify-by multipole-ode >efficient.json"},
              "optimise.md");
-  program->footer("Results:\n" + wrapped(fmt::format("{}", fmt::join(outcome_names(), ", ")), 2) + "\n" +
-                  program->get_footer());
+  program->footer("Results:\n" + wrapped(joined(outcome_names(), ", "), 2) + "\n" + program->get_footer());
   return program;
 }
 

@@ -1,5 +1,4 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,6 +9,7 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
@@ -202,8 +202,7 @@ DrawFigure add_against_flags(CLI::App& command) {
       ->default_str("none");
   add_choice(command, "--log", flags->log, "Logarithmic axes");
   add_result_flags(command, flags->choice);
-  command.footer("Results:\n" + wrapped(fmt::format("{}", fmt::join(all_names<ResultQuantity>(), ", ")), 2) +
-                 "\n");
+  command.footer("Results:\n" + wrapped(joined(all_names<ResultQuantity>(), ", "), 2) + "\n");
   return [flags](const PlotFiles& files) { return draw(drawn_figure(files, *flags)); };
 }
 

@@ -1,12 +1,12 @@
 #include "plot_inputs.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "beadswim/compare/comparison.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
@@ -68,7 +68,7 @@ void require_known(const std::string& method, const std::string& flag, const Nam
   }
   throw InputError(
       flag, fmt::format("no prediction has the method \"{}\"{} The predictions have the methods {}", method,
-                        format_suggestion(method, known), fmt::join(known, ", ")));
+                        format_suggestion(method, known), joined(known, ", ")));
 }
 
 /// Replaces the method name "all" by the methods of all documents. Throws InputError if none of them has a

@@ -1,12 +1,12 @@
 #include "plot_labels.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <set>
+#include "beadswim/core/joined.hpp"
 
 namespace beadswim {
 namespace {
@@ -105,7 +105,7 @@ SettingTexts shared_settings(const std::vector<PlottedRun>& runs) {
 /// Returns the texts that are not empty, separated by commas.
 std::string join_texts(std::vector<std::string> texts) {
   std::erase(texts, "");
-  return fmt::format("{}", fmt::join(texts, ", "));
+  return joined(texts, ", ");
 }
 
 /// Returns "NAME = RANGE", or an empty text if there are no numbers.
@@ -130,7 +130,7 @@ std::string cycles_text(const std::vector<double>& cycles) {
 std::string summarise_names(const std::set<std::string>& names, const std::string& plural) {
   constexpr std::size_t max_names = 3;
   if (names.size() > max_names) return fmt::format("{} {}", names.size(), plural);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return joined(names, ", ");
 }
 
 std::vector<std::string> setting_labels(const std::vector<PlottedRun>& runs) {

@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/scene/units.hpp"
 #include "errors.hpp"
@@ -55,7 +55,7 @@ void require_one_scene(const PlottedRun& run, const SourceDocument& other) {
   if (words.empty()) return;
   throw InputError(other.source, fmt::format("the scene differs from the scene of {}: {}; all files of this "
                                              "figure must have the same scene",
-                                             run.source, fmt::join(words, "; ")));
+                                             run.source, joined(words, "; ")));
 }
 
 /// Returns the relative uncertainty of a quantity of the reference: of a prediction the largest of its
@@ -258,7 +258,7 @@ Figure run_figure(const PlotFiles& files, const SpeedFlags& flags) {
   const Figure figure =
       error_figure(scenes, flags.quantity, "core-seconds per period",
                    {{.text = fmt::format("Root mean square of errors relative to the reference ({}).",
-                                         fmt::join(references, "; "))},
+                                         joined(references, "; "))},
                     {.text = resolutions_note(inputs)}});
   if (figure.panels.empty())
     throw InputError("--quantity", "the swimmers have no arms, and so no arm amplitudes; leave the flag out");

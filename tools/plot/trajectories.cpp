@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <span>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/figure/figure.hpp"
@@ -123,7 +123,7 @@ Note reading_note(const std::vector<TrajectoryFile>& files, const TrajectoryFlag
   if (std::ranges::any_of(files, is_wrapped)) texts.emplace_back("Coordinates are not wrapped into the box.");
   if (!flags.against_angle)
     texts.emplace_back("The mean slope over a cycle is the velocity, mean flow included.");
-  return {.text = fmt::format("{}", fmt::join(texts, " "))};
+  return {.text = joined(texts, " ")};
 }
 
 /// Sets the styles of curves, which are sorted by swimmer and then by bead. The colour identifies the

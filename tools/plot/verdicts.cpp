@@ -1,10 +1,10 @@
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/swimming_document.hpp"
@@ -28,10 +28,9 @@ std::string method_of(const VerdictDocument& verdict, const std::vector<std::str
   for (const ComparisonRow& row : verdict.rows) known.insert(row.method);
   if (known.contains(named.front())) return named.front();
   const std::vector<std::string> names(known.begin(), known.end());
-  throw InputError(
-      "--method",
-      fmt::format("the verdict {} has no method \"{}\"{} The verdict has the methods {}", source,
-                  named.front(), format_suggestion(named.front(), names), fmt::join(names, ", ")));
+  throw InputError("--method",
+                   fmt::format("the verdict {} has no method \"{}\"{} The verdict has the methods {}", source,
+                               named.front(), format_suggestion(named.front(), names), joined(names, ", ")));
 }
 
 VerdictDocument verdict_in(const SourceJson& document) {

@@ -1,11 +1,11 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/documents/swimming_document.hpp"
@@ -35,7 +35,7 @@ std::string method_names(bool (*is_listed)(const Method&)) {
   std::vector<std::string> names;
   for (const Method& method : methods())
     if (is_listed(method)) names.push_back(method.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return joined(names, ", ");
 }
 
 std::unique_ptr<CLI::App> theory_program(Flags& flags) {
@@ -136,7 +136,7 @@ void print_warnings(const PredictionDocument& predicted) {
   std::map<std::string, std::vector<std::string>> methods_by_reason;
   for (const auto& [method, reason] : predicted.left_out) methods_by_reason[reason].push_back(method);
   for (const auto& [reason, names] : methods_by_reason)
-    print_message(fmt::format("methods left out: {}; reason: {}", fmt::join(names, ", "), reason));
+    print_message(fmt::format("methods left out: {}; reason: {}", joined(names, ", "), reason));
 }
 
 void predict_stream(const StoredStream& layouts, const Flags& flags, const CLI::App& program) {

@@ -1,10 +1,10 @@
 #include "beadswim/core/names.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
+#include "beadswim/core/joined.hpp"
 
 namespace beadswim {
 namespace {
@@ -69,7 +69,7 @@ std::string format_suggestion(const std::string& name, const std::vector<std::st
 
 std::string format_unknown_name(const std::string& name, const std::vector<std::string>& allowed) {
   return fmt::format("unknown value \"{}\"{} Valid values: {}", name, format_suggestion(name, allowed),
-                     fmt::join(allowed, ", "));
+                     joined(allowed, ", "));
 }
 
 }  // namespace beadswim

@@ -1,10 +1,11 @@
 #include "beadswim/core/sha256.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <openssl/evp.h>
 
 #include <array>
 #include <new>
+#include "beadswim/core/joined.hpp"
 
 namespace beadswim {
 
@@ -24,7 +25,7 @@ std::string Sha256::hexadecimal() {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
   unsigned length = 0;
   EVP_DigestFinal_ex(context_.get(), digest.data(), &length);
-  return fmt::format("{:02x}", fmt::join(digest.begin(), digest.begin() + length, ""));
+  return joined(std::span(digest).first(length), "", "{:02x}");
 }
 
 }  // namespace beadswim

@@ -1,7 +1,6 @@
 #include "beadswim/documents/swimming_document.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <span>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/io/document_stream.hpp"
@@ -141,7 +141,7 @@ const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::strin
   if (found != run.swimmers.end()) return *found;
   throw InputError(
       source, fmt::format("the run record contains no swimmer with the id {}; the ids in the record are {}",
-                          id, fmt::join(swimmers_of(run), ", ")));
+                          id, joined(swimmers_of(run), ", ")));
 }
 
 MeasuredStroke measured_stroke(const RunRecord& run, std::optional<int> swimmer, const std::string& source) {

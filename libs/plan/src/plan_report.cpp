@@ -1,6 +1,6 @@
 #include "beadswim/plan/run_plan.hpp"
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <regex>
 #include <set>
 
+#include "beadswim/core/joined.hpp"
 #include "beadswim/io/fields_json.hpp"
 
 namespace beadswim {
@@ -76,7 +77,7 @@ std::string cells_by_level(const std::vector<const PlannedRun*>& runs) {
     const std::string line =
         fmt::format("cells: {} {:g} {} {}: {}, coarsest level first\n", Setting::cells_per_radius,
                     *run->settings.lattice.cells_per_radius, Setting::refinement, run->cells.size() - 1,
-                    fmt::join(run->cells, " + "));
+                    joined(run->cells, " + "));
     if (listed.insert(line).second) text += line;
   }
   return text;

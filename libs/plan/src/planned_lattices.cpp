@@ -1,4 +1,4 @@
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/reason_against.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
@@ -198,10 +199,9 @@ std::string left_out_resolutions(const Layout& layout) {
   });
   if (!layout.domain.box || left_out.empty()) return {};
   return fmt::format(
-      "no lattice run has about {:g} cells per radius, because edges of the box would not be whole numbers "
-      "of "
+      "no lattice run has about {} cells per radius, because edges of the box would not be whole numbers of "
       "cells; whole numbers of cells fit if each edge is a multiple of the smallest radius, {:g}",
-      fmt::join(left_out, ", "), smallest_radius(layout));
+      joined(left_out, ", ", "{:g}"), smallest_radius(layout));
 }
 
 std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& facts,

@@ -1,7 +1,6 @@
 #include "beadswim/plan/representatives.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include <string>
 #include <tuple>
 
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/reason_against.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/plan/model_errors.hpp"
@@ -137,7 +137,7 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
   }
   if (has_background_flow(cell)) approximations.push_back("in fluid without the background flow");
   if (across) approximations.push_back("driven only by the component of its forces along its axis");
-  result.approximation = fmt::format("{}", fmt::join(approximations, ", "));
+  result.approximation = joined(approximations, ", ");
   question = with_exact_reference(std::move(question));
   return result;
 }

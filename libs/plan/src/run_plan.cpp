@@ -1,7 +1,6 @@
 #include "beadswim/plan/run_plan.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 #include <iterator>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/reason_against.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
@@ -175,7 +175,7 @@ const PlannedRun& choose_run(const RunPlan& plan) {
   if (plan.choice) return plan.runs[*plan.choice];
   if (!plan.best)
     throw InputError(Setting::plan, fmt::format("no model can run this scene with these settings. {}",
-                                                fmt::join(refusals(plan), ". ")));
+                                                joined(refusals(plan), ". ")));
   const PlannedRun& best = plan.runs[*plan.best];
   if (plan.request.has_advice && !plan.request.tolerance) return best;
   throw InputError(

@@ -1,12 +1,12 @@
 #include "beadswim/scene/scene_differences.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 #include <fnmatch.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/core/joined.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
@@ -90,7 +90,7 @@ std::string text_of(const std::vector<FieldLeaf>& leaves) {
     if (is_in_text(leaf)) texts.push_back(leaf.word.empty() ? fmt::format("{}", leaf.number) : leaf.word);
   if (texts.empty()) return "none";
   if (std::ranges::count(texts, texts.front()) == std::ssize(texts)) return texts.front();
-  return fmt::format("{}", fmt::join(texts, ", "));
+  return joined(texts, ", ");
 }
 
 /// Returns true for a field of a layout that belongs to all swimmers. Units are equal, and the resolution is
@@ -108,7 +108,7 @@ std::string domain_text(const Domain& domain) {
     const WallVelocities& walls = box.walls[a];
     if (walls.are_moving())
       text += fmt::format(", walls across {} with velocities ({}) and ({})", "xyz"[a],
-                          fmt::join(walls.lower, ", "), fmt::join(walls.upper, ", "));
+                          joined(walls.lower, ", "), joined(walls.upper, ", "));
   }
   return text;
 }

@@ -1,12 +1,12 @@
 #include "beadswim/scene/swimmer_parameters.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <functional>
 
+#include "beadswim/core/joined.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
@@ -24,7 +24,7 @@ std::string values(const auto& parts, auto number) {
     texts.push_back(fmt::format("{:.4g}", numbers.back()));
   }
   if (std::ranges::count(texts, texts.front()) == std::ssize(texts)) return texts.front();
-  if (texts.size() <= 3) return fmt::format("{}", fmt::join(texts, ", "));
+  if (texts.size() <= 3) return joined(texts, ", ");
   const auto [least, most] = std::ranges::minmax(numbers);
   return fmt::format("{:.4g} to {:.4g}", least, most);
 }

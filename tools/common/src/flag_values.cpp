@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>
@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/tools/program.hpp"
 
@@ -113,7 +114,7 @@ CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each)
     const std::vector<std::string> parts = split_at_commas(text);
     if (!counts.empty() && std::ranges::find(counts, parts.size()) == counts.end()) {
       return fmt::format("\"{}\" has {} values, but {} are needed, separated by commas", text, parts.size(),
-                         fmt::join(counts, " or "));
+                         joined(counts, " or "));
     }
     std::string fault_of_part;
     for (auto part = parts.begin(); part != parts.end() && fault_of_part.empty(); ++part)

@@ -1,7 +1,7 @@
 #include "beadswim/tools/named_flags.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
+#include "beadswim/core/joined.hpp"
 
 namespace beadswim {
 
@@ -11,7 +11,7 @@ CLI::Option* add_word(CLI::App& command, const std::string& flag, const std::vec
   return command.add_option_function(flag, take, help)
       ->run_callback_for_default()  // --restart sets values from the checkpoint with default_val()
       ->check(one_of(words))
-      ->type_name(fmt::format("{}", fmt::join(words, "|")))
+      ->type_name(joined(words, "|"))
       ->default_str(initial);
 }
 

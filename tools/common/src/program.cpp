@@ -1,13 +1,13 @@
 #include "beadswim/tools/program.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/core/version.hpp"
@@ -82,7 +82,7 @@ std::vector<std::string> others_with_flag(const std::string& word, const CLI::Ap
   if (const auto others = others_with_flag(word, command); !others.empty()) {
     throw InputError(name, fmt::format("the command \"{}\" does not have this flag; only these commands have "
                                        "the flag: {}; remove the flag",
-                                       command.get_name(), fmt::join(others, ", ")));
+                                       command.get_name(), joined(others, ", ")));
   }
   const std::string nearest = nearest_name(word, known);
   throw InputError(
@@ -104,7 +104,7 @@ void refuse_leftovers(const CLI::App& program) {
   if (word->empty()) throw InputError("command line", "an argument is empty; is a shell variable not set?");
   if (lacks_command)
     throw InputError(*word, fmt::format("unknown command{} One of these must come first: {}",
-                                        format_suggestion(*word, commands), fmt::join(commands, ", ")));
+                                        format_suggestion(*word, commands), joined(commands, ", ")));
   throw InputError(*word, fmt::format("unexpected argument{}. \"{} --help\" lists what is allowed",
                                       finite()(split_at_commas(*word).front()).empty()
                                           ? "; join the numbers of one flag by commas, without spaces"
@@ -189,7 +189,7 @@ void refuse_combinations(const CLI::App& command) {
   refuse_combinations(command);
   const std::vector<std::string> commands = command_names(command);
   const std::string what =
-      commands.empty() ? text : fmt::format("a command is needed: {}", fmt::join(commands, ", "));
+      commands.empty() ? text : fmt::format("a command is needed: {}", joined(commands, ", "));
   throw InputError("command line", fmt::format("{}; see \"{} --help\"", what, full_name(command)));
 }
 

@@ -1,6 +1,6 @@
 #include "beadswim/io/vti.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <bit>
 #include <cerrno>

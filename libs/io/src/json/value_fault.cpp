@@ -1,12 +1,12 @@
 #include "value_fault.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 #include <optional>
 
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "subschema.hpp"
 
@@ -41,7 +41,7 @@ std::string allowed_range(const Subschemas& schemas) {
   for (const auto& [keyword, words] : bounds) {
     if (const Json* bound = find_keyword(schemas, keyword)) parts.push_back(words + bound->dump());
   }
-  return fmt::format("the value must be {}", fmt::join(parts, " and "));
+  return fmt::format("the value must be {}", joined(parts, " and "));
 }
 
 std::string allowed_count(const Subschemas& schemas, const Json& value) {
@@ -72,9 +72,8 @@ std::string allowed_names(const Subschemas& schemas, const Json& value) {
 
 std::string allowed_type(const Subschemas& schemas, const Json& value) {
   const Json& type = *find_keyword(schemas, "type");
-  const std::string names = type.is_array()
-                                ? fmt::format("{}", fmt::join(type.get<std::vector<std::string>>(), " or "))
-                                : type.get<std::string>();
+  const std::string names =
+      type.is_array() ? joined(type.get<std::vector<std::string>>(), " or ") : type.get<std::string>();
   return fmt::format("the value must be of type {}, not {}", names, value.type_name());
 }
 
@@ -150,9 +149,9 @@ std::vector<std::string> explain_unknown_keys(const std::string& pointer, const 
     if (std::ranges::find(names, key) != names.end()) continue;
     const std::vector<std::string>& candidates = nearest_name(key, absent).empty() ? names : absent;
     suggestions.push_back(nearest_name(key, candidates));
-    faults.push_back({pointer + pointer_step(key),
-                      fmt::format("unknown key{} Keys allowed here: {}", format_suggestion(key, candidates),
-                                  fmt::join(names, ", "))});
+    faults.push_back(
+        {pointer + pointer_step(key), fmt::format("unknown key{} Keys allowed here: {}",
+                                                  format_suggestion(key, candidates), joined(names, ", "))});
   }
   return suggestions;
 }

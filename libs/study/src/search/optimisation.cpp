@@ -1,12 +1,12 @@
 #include "beadswim/study/optimisation.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <random>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/reason_against.hpp"
 #include "beadswim/study/stream.hpp"
 
@@ -273,7 +273,7 @@ class LayoutSearch {
                           : place > 1 - near_bound ? ", at its upper bound"
                                                    : "";
       all_.message(fmt::format("{} = {:.6g}{}; {} at most 1 % worse from {:.4g} to {:.4g}",
-                               fmt::join(free.names, ", "), free.at(place), bound, objective, free.at(low),
+                               joined(free.names, ", "), free.at(place), bound, objective, free.at(low),
                                free.at(high)));
     }
   }

@@ -1,10 +1,10 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/study/optimisation.hpp"
 
 namespace beadswim {
@@ -78,7 +78,7 @@ void Problem::require_outcomes(const Outcomes& outcomes, const std::string& eval
   const auto require = [&](ResultQuantity outcome, Setting setting) {
     if (outcomes.contains(outcome)) return;
     throw InputError(setting, fmt::format("{} gives no {} for this layout; it gives {}", evaluator,
-                                          to_text(outcome), fmt::join(given, ", ")));
+                                          to_text(outcome), joined(given, ", ")));
   };
   require(objective, is_maximised ? Setting::maximise : Setting::minimise);
   for (const Constraint& constraint : constraints) require(constraint.outcome, Setting::limit);

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/box_mobility.hpp"

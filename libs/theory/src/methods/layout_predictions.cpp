@@ -1,12 +1,12 @@
 #include "beadswim/theory/layout_predictions.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <variant>
 
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/reason_against.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/scene/check.hpp"
@@ -152,7 +152,7 @@ void check_stroke_is_used(const LayoutPredictions& predicted, const Question& qu
     if (method.uses_stroke()) users.push_back(method.name);
   throw InputError(Setting::stroke_record,
                    fmt::format("none of the named methods uses a measured stroke; add one of {} to {}",
-                               fmt::join(users, ", "), Setting::method));
+                               joined(users, ", "), Setting::method));
 }
 
 void predict_line(const CollinearSwimmer& line, const Layout& layout, const Swimmer& swimmer,

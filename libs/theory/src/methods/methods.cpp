@@ -1,7 +1,6 @@
 #include "beadswim/theory/methods.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/mobility/oseen.hpp"
@@ -128,7 +128,7 @@ Prediction predict(const Method& method, const ShapeQuestion& question) {
         method.name,
         fmt::format("this method treats three beads on a line with the driving forces of the paper "
                     "only, in fluid at rest without half-space; methods for this swimmer are {}",
-                    fmt::join(methods_for(question.swimmer), ", ")));
+                    joined(methods_for(question.swimmer), ", ")));
   Prediction prediction = method.predict_shape(question);
   prediction.method = method.name;
   return prediction;

@@ -1,6 +1,6 @@
 #include "beadswim/theory/question.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

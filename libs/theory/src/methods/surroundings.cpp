@@ -1,6 +1,6 @@
 #include "beadswim/theory/surroundings.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

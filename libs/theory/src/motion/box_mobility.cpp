@@ -1,6 +1,6 @@
 #include "beadswim/theory/box_mobility.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "beadswim/theory/periodic_motion.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <Eigen/LU>
 #include <algorithm>
