@@ -1,11 +1,11 @@
 include(GoogleTest)
 
 # Two methods shorten the build. First, a small file spends most of its compile time on headers. Targets of one family
-# therefore share a precompiled header (numerics: Eigen and the standard library; tests: also GoogleTest). Second, each
-# file would compile the templates and virtual classes of nlohmann-json and CLI11 again. The files of a target that uses
-# these headers are therefore compiled together. With OFF every file is compiled separately, which is useful for work on
-# single files and to find missing includes.
-option(BEADSWIM_SHARED_HEADERS "Precompile shared headers, and compile the files of a program together" ON)
+# therefore share a precompiled header (numerics: Eigen and the standard library; documents: also nlohmann-json and CLI11;
+# tests: also GoogleTest). Second, each file would compile the templates and virtual classes of nlohmann-json, CLI11 and
+# GoogleTest again. The files of a target of the last two families are therefore compiled together. With OFF every file is
+# compiled separately, which is useful for work on single files and to find missing includes.
+option(BEADSWIM_SHARED_HEADERS "Precompile shared headers, and compile the files of programs and tests together" ON)
 
 # beadswim_header_family(NAME HEADERS header... DEPENDS target... [OPTIONS option...]): precompiles the headers that the
 # targets of the family NAME share.
@@ -22,45 +22,43 @@ function(beadswim_header_family name)
   target_compile_options(beadswim_headers_of_${name} PRIVATE ${arg_OPTIONS})
 endfunction()
 
-# Compiler options for tests. With precompiled headers GCC 12 warns that "literal" + std::string copies 2^63 bytes, which is
+# Compiler options for documents and tests. With precompiled headers GCC 12 warns that "literal" + std::string copies 2^63 bytes, which is
 # false (GCC bug 105651).
 set(BEADSWIM_FALSE_WARNINGS_OFF -Wno-stringop-overflow -Wno-array-bounds)
 
 # Templates and virtual classes of these headers compile faster at -O1. The speed of this code does not matter.
 set(BEADSWIM_COLD_CODE $<$<NOT:$<CONFIG:Debug>>:-O1>)
+set(BEADSWIM_OPTIONS_OF_tests ${BEADSWIM_COLD_CODE})
+set(BEADSWIM_OPTIONS_OF_documents ${BEADSWIM_COLD_CODE})
+if(BEADSWIM_SANITIZE AND NOT BEADSWIM_FUZZ)
+  list(APPEND BEADSWIM_OPTIONS_OF_documents -O0)  # compiles in two thirds of the time
+endif()
 # For tests with loops over cells, also in builds whose other code is compiled at -O1.
 set(BEADSWIM_HOT_CODE $<$<NOT:$<CONFIG:Debug>>:-O2>)
 
-# beadswim_share_headers(TARGET numerics|tests|together): lets a target use the precompiled header of a family. `together`
-# compiles the files of the target together instead (with the sanitizers at -O0, in two thirds of the time); `tests` does both.
+# beadswim_share_headers(TARGET numerics|documents|tests): lets a target use the precompiled header of a family.
 function(beadswim_share_headers target family)
   if(NOT BEADSWIM_SHARED_HEADERS)
     return()
   endif()
-  if(NOT family STREQUAL together)
-    target_precompile_headers(${target} REUSE_FROM beadswim_headers_of_${family})
-  endif()
-  if(family STREQUAL together OR family STREQUAL tests)
+  target_precompile_headers(${target} REUSE_FROM beadswim_headers_of_${family})
+  if(NOT family STREQUAL numerics)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-    target_compile_options(${target} PRIVATE ${BEADSWIM_COLD_CODE})
-  endif()
-  if(family STREQUAL together AND BEADSWIM_SANITIZE AND NOT BEADSWIM_FUZZ)
-    target_compile_options(${target} PRIVATE -O0)
-  endif()
-  if(family STREQUAL tests)
-    target_compile_options(${target} PRIVATE ${BEADSWIM_FALSE_WARNINGS_OFF})
+    target_compile_options(${target} PRIVATE ${BEADSWIM_OPTIONS_OF_${family}} ${BEADSWIM_FALSE_WARNINGS_OFF})
   endif()
 endfunction()
 
 set(numerics_headers <algorithm> <array> <cmath> <complex> <functional> <map> <memory> <optional> <span> <string>
     <variant> <vector> <fmt/core.h> <Eigen/Dense>)
 beadswim_header_family(numerics HEADERS ${numerics_headers} DEPENDS Eigen3::Eigen fmt::fmt)
+beadswim_header_family(documents HEADERS ${numerics_headers} <nlohmann/json.hpp> <CLI/CLI.hpp>
+  DEPENDS Eigen3::Eigen fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 OPTIONS ${BEADSWIM_OPTIONS_OF_documents})
 if(BUILD_TESTING)
   beadswim_header_family(tests HEADERS ${numerics_headers} <random> <gtest/gtest.h> <gmock/gmock.h>
-    DEPENDS Eigen3::Eigen fmt::fmt GTest::gtest GTest::gmock OPTIONS ${BEADSWIM_COLD_CODE})
+    DEPENDS Eigen3::Eigen fmt::fmt GTest::gtest GTest::gmock OPTIONS ${BEADSWIM_OPTIONS_OF_tests})
 endif()
 
-# beadswim_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE target...] [HEADERS numerics|together])
+# beadswim_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE target...] [HEADERS numerics|documents])
 # Defines the library Beadswim::NAME. Its public headers are in include/beadswim/NAME. The libraries in libs/ are installed
 # for find_package(Beadswim); the libraries in tools/ are not.
 function(beadswim_library name)
@@ -131,14 +129,14 @@ function(beadswim_program name)
     add_library(${library} STATIC ${arg_SOURCES})
     target_include_directories(${library} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
     target_link_libraries(${library} PUBLIC ${arg_DEPENDS})
-    beadswim_share_headers(${library} together)
+    beadswim_share_headers(${library} documents)
     set(arg_SOURCES main.cpp)
     set(arg_DEPENDS ${library})
   endif()
   add_executable(beadswim-${name} ${arg_SOURCES})
   target_link_libraries(beadswim-${name} PRIVATE ${arg_DEPENDS})
   beadswim_keep_libraries(beadswim-${name})
-  beadswim_share_headers(beadswim-${name} together)
+  beadswim_share_headers(beadswim-${name} documents)
 endfunction()
 
 # Time limits of one test [s]: in general, and if it is labelled slow. The sanitizers slow a test by a factor of about five.
