@@ -51,7 +51,7 @@ out_has '^at this amplitude [0-9.e-]+$'
 # Messages name settings in words where no program has put flags in their place.
 run library/best-phase 1000
 has_status 2
-err_has 'a gap between beads becomes smaller .*; reduce the amplitude, or increase the stiffness, the damping or the arms'
+err_has 'a gap between beads becomes smaller .*; reduce amplitude, or increase stiffness, damping or arm'
 
 # --- completion
 completions() { # WORDS...   what stands for the last of them

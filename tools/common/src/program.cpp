@@ -22,8 +22,9 @@ const std::map<Setting, std::string> special_flags{
     {Setting::output, "-o"},
     {Setting::ranks, "mpirun -n"},
     {Setting::refinement, "--refine"},
-    {Setting::stroke_record, "--stroke-from RUN.json"},
+    {Setting::stroke_record, "--stroke-from"},
     {Setting::unbounded, "beadswim-layout swimmer --unbounded"},
+    {Setting::verification, "--verify-by"},
 };
 
 /// Returns the flag with which users set this setting of the libraries, for error messages.
