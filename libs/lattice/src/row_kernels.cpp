@@ -55,7 +55,7 @@ void sweep_row(const SweepRow<Real>& row) {
 
 template <class Real>
 bool add_totals(const TotalsRow<Real>& row, OrderFreeLanes<4>& sums) {
-  double terms[4][TotalsRow<Real>::max_cells];
+  order_free::LaneSums<4> partial(sums);
   for (long x = 0; x < row.cells; x += lanes) {
     Lanes f[d3q19::directions], density_deviation, u[3];
     if (row.cells - x >= lanes) {
@@ -68,11 +68,11 @@ bool add_totals(const TotalsRow<Real>& row, OrderFreeLanes<4>& sums) {
       }
     }
     moments_of(f, density_deviation, u);
-    store(&terms[0][x], density_deviation);
+    partial.add(0, density_deviation);
 #pragma GCC unroll 3
-    for (int a = 0; a < 3; ++a) store(&terms[1 + a][x], u[a]);
+    for (int a = 0; a < 3; ++a) partial.add(1 + a, u[a]);
   }
-  return order_free::add_terms(terms, static_cast<int>(row.cells), sums);
+  return partial.store_in(sums);
 }
 
 constexpr const char *baseline = "baseline", *x86_64_v3 = "x86-64-v3", *x86_64_v4 = "x86-64-v4";

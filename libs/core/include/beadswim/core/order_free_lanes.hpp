@@ -71,32 +71,47 @@ struct OrderFreeLanes {
 
 namespace order_free {
 
+/// The partial sums of N OrderFreeSums in vector registers, while a kernel adds terms to them.
+template <int N>
+struct LaneSums {
+  Lanes coarse[N], fine[N];
+  decltype(Lanes{} < Lanes{}) are_valid = Lanes{} == Lanes{};  ///< per lane: no term was too large or NaN
+
+  BEADSWIM_KERNEL explicit LaneSums(const OrderFreeLanes<N>& sums) {
+    __builtin_memcpy(coarse, sums.coarse, sizeof coarse);
+    __builtin_memcpy(fine, sums.fine, sizeof fine);
+  }
+
+  /// Adds a term to each lane of sum n.
+  BEADSWIM_KERNEL void add(int n, Lanes term) {
+    const Lanes multiple = coarse_part(term);
+    coarse[n] += multiple;
+    fine[n] += fine_part(term, multiple);
+    are_valid &= (term < largest_term) & (term > -largest_term);  // false for NaN
+  }
+
+  /// Stores the partial sums. If a term was NaN or |term| >= largest_term, stores nothing and returns false.
+  BEADSWIM_KERNEL bool store_in(OrderFreeLanes<N>& sums) const {
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (!are_valid[lane]) return false;
+    }
+    __builtin_memcpy(sums.coarse, coarse, sizeof coarse);
+    __builtin_memcpy(sums.fine, fine, sizeof fine);
+    return true;
+  }
+};
+
 /// Adds the terms terms[n][0], ..., terms[n][places - 1] to sum n, for each of the N sums. `places` is a
 /// multiple of the number of lanes. If a term is NaN or |term| >= largest_term, adds nothing and returns
 /// false.
 template <int N, int capacity>
 BEADSWIM_KERNEL bool add_terms(const double (&terms)[N][capacity], int places, OrderFreeLanes<N>& sums) {
-  Lanes coarse[N], fine[N];
-  auto are_valid = Lanes{} == Lanes{};  // starts with true in all lanes
-  __builtin_memcpy(coarse, sums.coarse, sizeof coarse);
-  __builtin_memcpy(fine, sums.fine, sizeof fine);
+  LaneSums<N> partial(sums);
 #pragma GCC unroll 12
   for (int n = 0; n < N; ++n) {
-    for (int k = 0; k < places; k += lanes) {
-      Lanes term;
-      __builtin_memcpy(&term, &terms[n][k], sizeof term);
-      const Lanes multiple = coarse_part(term);
-      coarse[n] += multiple;
-      fine[n] += fine_part(term, multiple);
-      are_valid &= (term < largest_term) & (term > -largest_term);  // false for NaN
-    }
+    for (int k = 0; k < places; k += lanes) partial.add(n, load(&terms[n][k]));
   }
-  for (int lane = 0; lane < lanes; ++lane) {
-    if (!are_valid[lane]) return false;
-  }
-  __builtin_memcpy(sums.coarse, coarse, sizeof coarse);
-  __builtin_memcpy(sums.fine, fine, sizeof fine);
-  return true;
+  return partial.store_in(sums);
 }
 
 }  // namespace order_free
