@@ -66,8 +66,7 @@ void add_expected_errors(ModelPlan& plan, const Layout& layout, double accepted)
   plan.warnings.push_back(
       {"expected-error",
        fmt::format("the velocity is expected to be wrong by {} and the arm amplitudes by {}; beadswim-run {} "
-                   "lists runs "
-                   "with smaller errors",
+                   "lists runs with smaller errors",
                    in_percent(error.velocity), in_percent(error.largest_of_arms()), Setting::plan)});
 }
 

@@ -212,8 +212,7 @@ LatticeSpeed speed_of_this_machine(const std::function<void(const std::string&)>
     if (communicator.is_root())
       message(
           "measuring how fast this machine updates lattice cells; this measurement is made once and takes "
-          "some "
-          "seconds");
+          "some seconds");
     const LatticeSpeed speed = LatticeSpeed::measured(communicator);
     if (communicator.is_root()) write_cache(lattice_speed_to_json(speed), communicator.size());
     return speed;

@@ -136,8 +136,7 @@ std::string film_obstacle(const SwimmerFacts& swimmer_facts) {
   if (gap >= thin) return {};
   return fmt::format(
       "the smallest gap between beads in the stroke is {:.3g} bead radii, where lubrication matters; "
-      "mobility "
-      "models lack lubrication or approximate it poorly",
+      "mobility models lack lubrication or approximate it poorly",
       gap);
 }
 

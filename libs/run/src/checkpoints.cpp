@@ -88,8 +88,7 @@ void warn_of_other_program(const RunParts& parts, const CheckpointReader& checkp
 void refuse_other_version(const CheckpointReader& checkpoint) {
   throw SolverError(
       fmt::format("{}: the checkpoint was written by another version of the program; continue with that "
-                  "version, or begin "
-                  "without {}",
+                  "version, or begin without {}",
                   checkpoint.path(), Setting::restart));
 }
 

@@ -84,8 +84,7 @@ const std::vector<NamedQuantity>& named_quantities() {
        &ThreeBeadDriving::period},
       {"frame", driving_law,
        "Direction of the driving forces: the x axis (lab), the swimmer's axis at time 0 (initial-axis), or "
-       "its "
-       "arms as they turn (body)",
+       "its arms as they turn (body)",
        "", 1, frame, &ThreeBeadDriving::frame, "lab"},
       {"viscosity", "Fluid and box", "Kinematic viscosity nu of the fluid [length^2/time]", "NU", 1, positive,
        &Fluid::kinematic_viscosity},

@@ -215,8 +215,7 @@ std::unique_ptr<Model> LatticePlan::make(const std::string& trajectory, long flo
   } catch (const std::bad_alloc&) {
     throw SolverError(
         fmt::format("out of memory: the lattice needs about {:.2g} GB on {} ranks; use a smaller {}, {} "
-                    "single, a smaller "
-                    "box, more machines, or a higher limit (ulimit -v)",
+                    "single, a smaller box, more machines, or a higher limit (ulimit -v)",
                     1e-9 * lattice_bytes(on_lattice.scene), communicator.size(), Setting::cells_per_radius,
                     Setting::precision));
   }

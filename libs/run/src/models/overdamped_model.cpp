@@ -255,8 +255,7 @@ class OverdampedModel : public Model {
       case OverdampedFaultKind::speed:
         return fmt::format(
             "bead {} {} moves {:.3g} radii per step, above the limit of 1; increase {}, or reduce the "
-            "driving "
-            "amplitude{}",
+            "driving amplitude{}",
             fault.bead, place, fault.value, Setting::steps_per_cycle, other_model);
       case OverdampedFaultKind::wall:
         return fmt::format(

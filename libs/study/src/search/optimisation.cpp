@@ -185,8 +185,7 @@ class LayoutSearch {
                        "the nearest layout: ");
     throw SolverError(fmt::format(
         "{}: none of {} layouts is within the limits; widen the bounds of {} or the limits of {}, or give "
-        "more "
-        "{}",
+        "more {}",
         member_.source, found.evaluations, Setting::free_quantity, Setting::limit, Setting::evaluations));
   }
 

@@ -172,8 +172,7 @@ void mark_unusable_by(Use use, double velocity, std::optional<double> exact, Pre
   if (use == Use::never)
     mark_unusable(prediction,
                   "for the stroke of equations (4.4) to (4.8) of Pickl et al. 2017, the velocities v_S of "
-                  "equation (4.2) and v_F "
-                  "of equation (4.3) are equal, so their ratio (4.9) does not hold");
+                  "equation (4.2) and v_F of equation (4.3) are equal, so their ratio (4.9) does not hold");
   if (use == Use::if_close && !(exact && std::abs(velocity / *exact - 1) < usable_distance))
     mark_unusable(prediction, fmt::format("the velocity by this formula is not known to be within {:.0f} % "
                                           "of the velocity in exact Stokes flow",

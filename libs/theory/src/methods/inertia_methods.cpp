@@ -101,8 +101,7 @@ Prediction predict_unsteady_multipole(const Question& question) {
   }
   prediction.validity =
       "exact unsteady Stokes flow of three spheres with beads' and fluid's inertia (axisymmetric "
-      "multipoles), "
-      "alone in unbounded fluid, with Lagrangian drift and Reynolds stress";
+      "multipoles), alone in unbounded fluid, with Lagrangian drift and Reynolds stress";
   add_amplitude_limit(question, prediction);
   mark_unusable_if_beads_touch(question, prediction);
   prediction.settings.emplace_back("mobility", "exact, unsteady");

@@ -226,8 +226,7 @@ std::string contact_message(double reached, double min_gap_over_radius) {
   return fmt::format(
       "no periodic motion without contact was found: if the driving amplitude exceeds about {:.2g} times the "
       "given amplitude, a gap between beads becomes smaller than {:.3g} bead radii or a soft spring "
-      "collapses; "
-      "reduce {}, or increase {}, {} or {}",
+      "collapses; reduce {}, or increase {}, {} or {}",
       reached, min_gap_over_radius, Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm);
 }
 

@@ -15,9 +15,10 @@
 
 // A run of a layout: one way in, one way out.
 //
-//   RunTask task{.document = layout, .settings = settings, .source = "layout.json", .trajectory =
-//   "run.h5md"}; const std::unique_ptr<ModelPlan> plan = plan_for(task, communicator); const RunResult result
-//   = run(task, *plan, {}, communicator);
+//   RunTask task{.document = layout, .settings = settings, .source = "layout.json",
+//                .trajectory = "run.h5md"};
+//   const std::unique_ptr<ModelPlan> plan = plan_for(task, communicator);
+//   const RunResult result = run(task, *plan, {}, communicator);
 //
 // The library handles no signal, prints nothing and ends no process. What a program wants to know or to
 // decide during a run passes through RunSinks.
