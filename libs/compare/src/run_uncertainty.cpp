@@ -1,9 +1,16 @@
 #include "beadswim/compare/run_uncertainty.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace beadswim {
+
+std::string in_percent(double share) {
+  if (share > 10) return "more than 1000 %";
+  return share < 1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
+}
 
 std::optional<double> total_uncertainty(const QuantityUncertainty& uncertainty) {
   const auto& [resolution, wander, transient, total, box] = uncertainty;

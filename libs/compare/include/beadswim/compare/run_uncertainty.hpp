@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -28,10 +26,7 @@ struct ErrorEstimate {
 
 /// Returns a relative error as text in per cent: two digits below 100 %, no decimals above, and "more than
 /// 1000 %" for larger values.
-inline std::string in_percent(double share) {
-  if (share > 10) return "more than 1000 %";
-  return share < 1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
-}
+std::string in_percent(double share);
 
 /// Limits of the relative errors that are expected in a run, by cause: the largest of all its swimmers.
 struct ExpectedErrors {
@@ -43,13 +38,11 @@ struct ExpectedErrors {
 
 /// Relative uncertainties of one quantity in the last cycle of a run, by cause; nullopt: unknown.
 struct QuantityUncertainty {
-  std::optional<double> resolution =
-      {};                                ///< by cells and time steps, or by the accuracy of mobility products
-  std::optional<double> wander = {};     ///< by the place of the beads within cells of the lattice
-  std::optional<double> transient = {};  ///< by the start of the run: remaining_change() of the cycles
-  std::optional<double> total = {};      ///< root of the sum of squares of the three
-  std::optional<double> box =
-      {};  ///< not part of `total`: change by walls and images, compared with open space
+  std::optional<double> resolution{};  ///< by cells and time steps, or by the accuracy of mobility products
+  std::optional<double> wander{};      ///< by the place of the beads within cells of the lattice
+  std::optional<double> transient{};   ///< by the start of the run: remaining_change() of the cycles
+  std::optional<double> total{};       ///< root of the sum of squares of the three
+  std::optional<double> box{};  ///< not in `total`: change by walls and images, compared with open space
 
   BEADSWIM_FIELDS(resolution, wander, transient, total, box)
 };
