@@ -7,7 +7,7 @@ def errors: .cycle as $c | .reference.cycle as $r
       + [[$c.arm_amplitudes, $r.arm_amplitudes] | transpose[] | . as [$a, $b] | $a | over($b)] | map(percent) | join(", ") end;
 def planned: .plan as $p | if $p == null then "no plan" elif $p.refused then "rejected" elif $p.error == null then "not estimated"
   else [$p.error.velocity, $p.error.arm_amplitudes[]] | map(if . > 10 then "> 1000" else . * 1000 | round / 10 | tostring end) | join(", ") end;
-def outcome: if .status == "finished" then "finished" + (if .warned then " with warning" else "" end)
+def outcome: if .status == "finished" then (if .warned then "warning" else "finished" end)
   else {refused: "rejected at the start", "stopped-speed": "stopped: beads too fast", failed: "stopped: unphysical state"}[.status] end;
 # Describes a case so that its row can be read alone.
 def described: sub("^(?<n>0.1|100) times the fluid's"; "\(.n) times the fluid density") | sub("^A = "; "amplitude A = ") | sub(", T = "; ", period T = ") | sub("cells a radius"; "cells per radius") | sub("^1 cells"; "1 cell") | sub("^(?<n>0[.][13]), τ"; "\(.n) times the fluid density, τ")

@@ -1,6 +1,7 @@
 # Prints the tables of docs/speed-against-error.md:
 #   speed-against-error-tables.sh FOLDER [CELLS]
-# The second table has the lattice runs with $cells cells per radius, or all of them if $cells is null.
+# The second table has the lattice runs with $cells cells per radius, or all of them if $cells is null. Runs in single precision have
+# a row of their own only if a scene was run in both precisions.
 # Input: one object per scene, {title, runs: [records], reference: record}. Errors are root mean squares over
 # swimmers, divided by that of the reference, and root mean squares of these over runs and arms; costs are medians, in core-seconds per cycle.
 include "percentages";
@@ -36,6 +37,8 @@ map(. + {settings: settings, uncertainty: uncertainty}) as $scenes
         else "none" end)) + ["\(.uncertainty | percents) %"] | row),
   "",
   (["run"] + ($scenes | map(.title)) | head),
-  ([$scenes[].settings[] | {name, rank}] | unique_by(.rank)[] | select($cells == null or (.rank | .[0] == 0 or .[-1] == $cells)) | . as $setting
-    | ["\(.name)"] + ($scenes | map([.settings[] | select(.rank == $setting.rank)][0]
-        | if . then "\(.v | percents), \(.arms | percents); \(.cost | number)" else "-" end)) | row)
+  ([$scenes[] | .title as $title | .settings[] | . + {title: $title} | select($cells == null or (.rank | .[0] == 0 or .[-1] == $cells))]
+    | group_by(.rank | if .[0] == 1 then del(.[3]) else . end)[]
+    | if (map(.title) | unique | length) == length then . else group_by(.rank)[] end | sort_by(.rank) | . as $runs
+    | [.[0].name | sub(", \($cells) cells"; "")] + ($scenes | map(.title as $title | [$runs[] | select(.title == $title)][0]
+        | if . then "\(.v | percents), \(.arms | percents); \(.cost | number)" + (if .rank[3] != $runs[0].rank[3] then " (single)" else "" end) else "-" end)) | row)

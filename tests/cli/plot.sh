@@ -402,7 +402,7 @@ same_bytes "beadswim-plot speed-against-error $records/cell.jsonl --reference $r
   "cat $BEADSWIM_SOURCE/docs/images/speed-against-error-cell.svg"
 same_bytes "jq -sc -f $results/extrapolated-record.jq $records/cell-reference.jsonl" "cat $records/cell-reference.json"
 same_bytes "$results/speed-against-error-tables.sh $records 3 | grep '^|'" \
-  "sed -n '/^## What to use/,\$p' $BEADSWIM_SOURCE/docs/speed-against-error.md | grep '^|'"
+  "sed -n '/^## What to use/,/^## Results/p; /^## Runs with/,\$p' $BEADSWIM_SOURCE/docs/speed-against-error.md | grep '^|'"
 same_bytes "jq -rs -L $results --slurpfile reference $results/resolution-reference.json -f $results/resolution.jq $results/resolution.jsonl" \
   "sed -n '/^| bead boundary/,/^$/p' $BEADSWIM_SOURCE/docs/resolution.md | grep '^|'"
 
