@@ -157,8 +157,7 @@ Law oscillation_law() {
         {conditions, {{"cells_per_diameter", 2 * of.radius}, {"period", of.period}, {"tau", of.tau}}, print});
   };
   for (const int radius : {2, 3, 4, 6, 8}) {
-    add_row(fmt::format("{} cells per diameter", 2 * radius), oscillation(radius, 0.5, 1.5),
-            error_and_spread);
+    add_row(fmt::format("{} cells", 2 * radius), oscillation(radius, 0.5, 1.5), error_and_spread);
   }
   add_row("R√(ω/2ν) = 1, 8 cells", oscillation(4, 1, 1.5), error_and_spread);
   for (const double tau : {1.5, 3.0, 6.0}) {

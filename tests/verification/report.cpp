@@ -45,9 +45,9 @@ std::string measured_table(const Law& law, const std::vector<Json>& records) {
 constexpr const char* introduction =
     "# Verification: beads in the fluid\n\n"
     "The tables compare the four [bead boundaries](choosing-a-model.md) with exact results, at τ = 1.5 "
-    "unless stated, as mean and standard deviation over 1 to 16 random positions. In drag and torque `mr` "
-    "scatters least with the position of a bead within a cell, and its error is at most 1.2 % from 6 cells "
-    "per diameter on.\n\n"
+    "unless stated, as mean and standard deviation over 1 to 16 random positions. A row such as "
+    "\"8 cells\" is for 8 cells per bead diameter. In drag and torque `mr` scatters least with the position "
+    "of a bead within a cell, and its error is at most 1.2 % from 6 cells per diameter on.\n\n"
     "`beadswim-verification --report docs/results/verification.jsonl` prints this page; "
     "`docs/results/verification.sh` measures the records, which hold more conditions. `ctest -R "
     "verification_test` repeats a part of each case for every bead boundary, and fails beyond the limits of "

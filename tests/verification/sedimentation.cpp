@@ -172,7 +172,7 @@ Law sedimentation_law() {
         {conditions, {{"along", "oblique"}, {"cells_per_diameter", cells}, {"speed", speed}}, print});
   };
   for (const int cells : {6, 8, 12, 16})
-    add_row(fmt::format("{} cells per diameter", cells), cells, 1e-3, error_and_spread);
+    add_row(fmt::format("{} cells", cells), cells, 1e-3, error_and_spread);
   add_row("8 cells, 0.016 cells per step", 8, 1.6e-2, error_and_spread);
   add_row("8 cells, velocity across the force", 8, 1e-3, sideways);
   return law;

@@ -54,8 +54,7 @@ Law torque_law() {
       .test = "6, 8, 12 cells per diameter",
   };
   for (const int cells : {4, 6, 8, 12, 24}) {
-    law.rows.push_back(
-        {fmt::format("{} cells per diameter", cells), {{"tau", 1.5}, {"cells_per_diameter", cells}}});
+    law.rows.push_back({fmt::format("{} cells", cells), {{"tau", 1.5}, {"cells_per_diameter", cells}}});
   }
   return law;
 }
