@@ -49,9 +49,13 @@ def against($mean): if . == null then "" else . - $mean | rounded(3) end;
 "",
 "### Modes along x",
 "",
-($moved | map(select(.modes and (.name | test("^8 swimmers, k = [0-9.]+, seed 1$|one ahead, k = 0.(2|0347)$")))
-   | [(.name | words), .cells_per_radius, late_rate(["010", 0], ["001", 0])])
- | table(["run", "cells per radius", "growth rate per cycle of mode 010"])),
+("Two swimmers side by side, one ahead by 1e-3. With eight swimmers the growth rate at 3 cells per radius is " +
+  ($moved | map(select(.modes and (.name | test("^8 swimmers, k = [0-9.]+, seed 1$")))
+    | "\(late_rate(["010", 0], ["001", 0])) (stiffness \(.stiffness))") | join(" and ")) + "."),
+"",
+($moved | map(select(.modes and (.name | test("one ahead, k = 0.(2|0347)$")))
+   | [.stiffness, .cells_per_radius, late_rate(["010", 0], ["001", 0])])
+ | table(["stiffness", "cells per radius", "growth rate per cycle of mode 010"])),
 "",
 "### Other gaps",
 "",
