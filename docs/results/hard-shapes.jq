@@ -10,7 +10,7 @@ def percent: if . == null then "-" elif . < 5e-7 then "0" else 100 * . | (if . >
   | . * $n | round / $n | tostring end;
 def outcome: if .status == "finished" then (if .warned then "warning" else "finished" end)
   else {refused: "rejected", "stopped-speed": "stopped: beads too fast", failed: "stopped: unphysical state"}[.status] end;
-def row: "| \(.group) | \(.case) | `\(.flags | sub("--model "; "") | sub("--multipole-order "; "") | sub(" --.*"; ""))` | \(outcome) | \(velocity | percent), \(stroke | percent) | \(.reference.description // "-" | sub("8 times as many steps"; "finer steps")) |";
+def row: "| \(.case)\(if .group == "collisions" then ": beads collide" else "" end) | `\(.flags | sub("--model "; "") | sub("--multipole-order "; "") | sub(" --.*"; ""))` | \(outcome) | \(velocity | percent), \(stroke | percent) | \(.reference.description // "-" | sub("8 times as many steps"; "finer steps")) |";
 # False for cases that repeat others, and for rejected scenes, which the page lists in its text.
 def is_shown: .status != "refused" and ([.group, .case, .flags] | map(tostring) | join(" ") | test("1e4 times.*(oseen|rpy )|1e8 times.*(oseen|rpy )|amplitude 1.5 .*multipole|gap of 0.1 radii, along|number (0.1|1|30) |chain of 64 beads|half-space .*lbm") | not);
-"| group | case | model, order | outcome of the run | error of velocity, strokes [%] | reference |", "|---|---|---|---|---|---|", (group_by(.group)[][] | select(is_shown) | row)
+"| case | model, order | outcome of the run | error of velocity, strokes [%] | reference |", "|---|---|---|---|---|", (group_by(.group)[][] | select(is_shown) | row)

@@ -1,7 +1,7 @@
 # Prints the tables of docs/speed-against-error.md:
 #   speed-against-error-tables.sh FOLDER [CELLS]
-# The second table has the lattice runs with $cells cells per radius, or all of them if $cells is null. Runs in single precision have
-# a row of their own only if a scene was run in both precisions.
+# The second table has the lattice runs with $cells cells per radius and without levels, or all of them if $cells is null. Runs in
+# single precision have a row of their own only if a scene was run in both precisions.
 # Input: one object per scene, {title, runs: [records], reference: record}. Errors are root mean squares over
 # swimmers, divided by that of the reference, and root mean squares of these over runs and arms; costs are medians, in core-seconds per cycle.
 include "percentages";
@@ -37,7 +37,7 @@ map(. + {settings: settings, uncertainty: uncertainty}) as $scenes
         else "none" end)) + ["\(.uncertainty | percents) %"] | row),
   "",
   (["run"] + ($scenes | map(.title)) | head),
-  ([$scenes[] | .title as $title | .settings[] | . + {title: $title} | select($cells == null or (.rank | .[0] == 0 or .[-1] == $cells))]
+  ([$scenes[] | .title as $title | .settings[] | . + {title: $title} | select($cells == null or (.rank | .[0] == 0 or (.[-1] == $cells and .[-2] < 2)))]
     | group_by(.rank | if .[0] == 1 then del(.[3]) else . end)[]
     | if (map(.title) | unique | length) == length then . else group_by(.rank)[] end | sort_by(.rank) | . as $runs
     | [.[0].name | sub(", \($cells) cells"; "")] + ($scenes | map(.title as $title | [$runs[] | select(.title == $title)][0]
