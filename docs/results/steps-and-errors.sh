@@ -25,7 +25,7 @@ typical() {
   cat <<'TEXT'
 # Mobility products and errors of time steps
 
-A mobility product evaluates the velocities of all beads from the forces on them. With 100 time steps per cycle, the integrator of `libs/overdamped` needs 110 to 370 products per cycle, and the relative errors of the bead positions are 2e-5 to 3e-4. CVODE of SUNDIALS, which chooses its step sizes, needs as many products for the same error in swarms of parallel swimmers, and fewer in dense swarms.
+With 100 time steps per cycle, the integrator of `libs/overdamped` needs 110 to 370 [mobility products](../method/mobility-product.md) per cycle, and the relative errors of the bead positions are 2e-5 to 3e-4. CVODE of SUNDIALS, which chooses its step sizes, needs as many products for the same error in swarms of parallel swimmers, and fewer in dense swarms.
 
 The tables contain errors of time integration alone, relative to CVODE at tolerance 1e-10.
 
