@@ -48,7 +48,7 @@ class Tree:
         self.root = root
 
     def has_file(self, name):
-        name = re.sub(r"^(lattice|coupling|swimmers|mobility|libs/\w+)/src/", r"src/", name) if "/src/" in name else name
+        name = re.sub(r"^(lattice|coupling|swimmers|collinear|mobility|libs/\w+)/src/", r"src/", name) if "/src/" in name else name
         return any(ends_with(p, name) for p in self.headers + self.sources) or (self.root / name).exists()
 
     def has_test(self, name):

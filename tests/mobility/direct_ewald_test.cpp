@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "beadswim/mobility/line_flow.hpp"
-#include "beadswim/mobility/pair_mobility.hpp"
+#include "beadswim/collinear/line_flow.hpp"
+#include "beadswim/collinear/pair_mobility.hpp"
 
 // Tests of the reference sums in direct_ewald.hpp, by comparison with results that do not come from these
 // sums.

@@ -6,12 +6,12 @@
 #include <numbers>
 #include <random>
 
+#include "../collinear/oscillation.hpp"
+#include "beadswim/collinear/oscillating_spheres.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/mobility_product.hpp"
-#include "beadswim/mobility/oscillating_spheres.hpp"
 #include "memory_field.hpp"
 #include "moment_product.hpp"
-#include "oscillation.hpp"
 
 // Spheres in a fluid with memory, against sums over wavevectors, exact multipoles and laws.
 

@@ -5,10 +5,10 @@
 #include <random>
 #include <utility>
 
+#include "beadswim/collinear/multipole_mobility.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/gauss_legendre.hpp"
+#include "beadswim/core/gauss_legendre.hpp"
 #include "beadswim/mobility/mobility_product.hpp"
-#include "beadswim/mobility/multipole_mobility.hpp"
 #include "direct_ewald.hpp"
 #include "moment_product.hpp"
 #include "sphere_surfaces.hpp"

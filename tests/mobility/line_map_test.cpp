@@ -5,8 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <random>
 
+#include "beadswim/collinear/multipole_mobility.hpp"
 #include "beadswim/mobility/line_map_table.hpp"
-#include "beadswim/mobility/multipole_mobility.hpp"
 
 namespace beadswim {
 namespace {

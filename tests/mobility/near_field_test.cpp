@@ -5,8 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "beadswim/collinear/multipole_mobility.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/multipole_mobility.hpp"
 #include "near_scenes.hpp"
 
 namespace beadswim {

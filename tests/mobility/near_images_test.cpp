@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "beadswim/collinear/multipole_mobility.hpp"
 #include "beadswim/mobility/line_map.hpp"
-#include "beadswim/mobility/multipole_mobility.hpp"
 #include "near_scenes.hpp"
 
 namespace beadswim {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "beadswim/core/gauss_legendre.hpp"
 #include "beadswim/mobility/force_moments.hpp"
-#include "beadswim/mobility/gauss_legendre.hpp"
 
 // Integrals over the surface of a sphere, for tests of force moments.
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "beadswim/mobility/oseen.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/collinear/oseen.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/theory/box_mobility.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
 #include "beadswim/theory/question.hpp"

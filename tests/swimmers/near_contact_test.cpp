@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../mobility/bispherical.hpp"
+#include "../collinear/bispherical.hpp"
 #include "../mobility/transverse_spheres.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 

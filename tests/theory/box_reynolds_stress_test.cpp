@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/complex.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/perturbation.hpp"
 #include "scenes.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/theory/box_mobility.hpp"
 #include "beadswim/theory/perturbation.hpp"
 #include "scenes.hpp"

@@ -2,9 +2,9 @@
 
 #include <numbers>
 
+#include "beadswim/collinear/oseen.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/oseen.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/scene/gallery.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"

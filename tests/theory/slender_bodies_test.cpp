@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/complex.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/scene/gallery.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
 

@@ -3,8 +3,8 @@
 #include <numbers>
 #include <utility>
 
-#include "beadswim/mobility/oseen.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/collinear/oseen.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/theory/perturbation.hpp"

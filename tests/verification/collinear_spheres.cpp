@@ -2,8 +2,8 @@
 
 #include <Eigen/Dense>
 
-#include "beadswim/mobility/line_flow.hpp"
-#include "beadswim/mobility/multipole_mobility.hpp"
+#include "beadswim/collinear/line_flow.hpp"
+#include "beadswim/collinear/multipole_mobility.hpp"
 #include "cases.hpp"
 #include "places.hpp"
 #include "records.hpp"

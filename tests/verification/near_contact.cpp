@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include "../mobility/bispherical.hpp"
+#include "../collinear/bispherical.hpp"
 #include "../mobility/transverse_spheres.hpp"
 #include "beadswim/coupling/close_beads.hpp"
 #include "cases.hpp"

@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
+#include "beadswim/collinear/line_flow.hpp"
+#include "beadswim/collinear/unsteady_sphere.hpp"
 #include "beadswim/core/complex.hpp"
-#include "beadswim/mobility/line_flow.hpp"
-#include "beadswim/mobility/unsteady_sphere.hpp"
 #include "cases.hpp"
 #include "places.hpp"
 #include "records.hpp"

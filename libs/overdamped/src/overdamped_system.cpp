@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/collinear/pair_mobility.hpp"
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/keyed_random.hpp"
 #include "beadswim/core/setting.hpp"
-#include "beadswim/mobility/pair_mobility.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "implicit_step.hpp"
 #include "lowest_mobility.hpp"

@@ -10,9 +10,9 @@
 #include <string>
 #include <tuple>
 
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/joined.hpp"
 #include "beadswim/core/reason_against.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/plan/model_errors.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/reason_against.hpp"
 #include "beadswim/lattice/trt.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/perturbation.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/mobility/gauss_legendre.hpp"
-#include "beadswim/mobility/pair_mobility.hpp"
+#include "beadswim/collinear/pair_mobility.hpp"
+#include "beadswim/core/gauss_legendre.hpp"
 
 namespace beadswim {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/dense_systems.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 
 namespace beadswim {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "beadswim/collinear/multipole_mobility.hpp"
 #include "beadswim/mobility/line_map.hpp"
-#include "beadswim/mobility/multipole_mobility.hpp"
 
 namespace beadswim {
 namespace {

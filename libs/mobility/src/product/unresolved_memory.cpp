@@ -5,8 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "beadswim/core/gauss_legendre.hpp"
 #include "beadswim/mobility/force_moments.hpp"
-#include "beadswim/mobility/gauss_legendre.hpp"
 
 namespace beadswim {
 namespace {

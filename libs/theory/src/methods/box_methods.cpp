@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/theory/box_mobility.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
 #include "confidence.hpp"

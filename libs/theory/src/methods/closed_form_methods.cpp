@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 
+#include "beadswim/collinear/oseen.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/setting.hpp"
-#include "beadswim/mobility/oseen.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/closed_forms.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/perturbation.hpp"

@@ -7,8 +7,8 @@
 #include <limits>
 #include <optional>
 
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/complex.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/box_mobility.hpp"
 #include "beadswim/theory/box_reynolds_stress.hpp"
 #include "beadswim/theory/inertial_motion.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/setting.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/box_mobility.hpp"
 #include "beadswim/theory/inertia_corrected.hpp"
 #include "beadswim/theory/inertial_motion.hpp"

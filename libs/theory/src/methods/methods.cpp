@@ -8,12 +8,12 @@
 #include <functional>
 #include <numbers>
 
+#include "beadswim/collinear/oseen.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/core/setting.hpp"
-#include "beadswim/mobility/oseen.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
 #include "method_rows.hpp"

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "beadswim/collinear/multipole_mobility.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
-#include "beadswim/mobility/multipole_mobility.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/finite_amplitude.hpp"
 #include "confidence.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"

@@ -10,9 +10,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "beadswim/collinear/unsteady_sphere.hpp"
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/complex.hpp"
-#include "beadswim/mobility/unsteady_sphere.hpp"
 #include "beadswim/theory/box_mobility.hpp"
 
 namespace beadswim {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 
 namespace beadswim {
 

@@ -2,9 +2,9 @@
 
 #include <Eigen/LU>
 
+#include "beadswim/collinear/rotne_prager.hpp"
+#include "beadswim/collinear/unsteady_sphere.hpp"
 #include "beadswim/core/complex.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
-#include "beadswim/mobility/unsteady_sphere.hpp"
 #include "beadswim/theory/box_mobility.hpp"
 #include "beadswim/theory/perturbation.hpp"
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "beadswim/core/complex.hpp"
-#include "beadswim/mobility/gauss_legendre.hpp"
+#include "beadswim/core/gauss_legendre.hpp"
 #include "outside_nodes.hpp"
 
 namespace beadswim {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "beadswim/mobility/gauss_legendre.hpp"
+#include "beadswim/core/gauss_legendre.hpp"
 
 namespace beadswim {
 

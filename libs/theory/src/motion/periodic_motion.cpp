@@ -7,11 +7,11 @@
 #include <complex>
 #include <optional>
 
+#include "beadswim/collinear/pair_mobility.hpp"
 #include "beadswim/core/dense_systems.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/core/trigonometric_nodes.hpp"
-#include "beadswim/mobility/pair_mobility.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/perturbation.hpp"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "beadswim/mobility/gauss_legendre.hpp"
+#include "beadswim/core/gauss_legendre.hpp"
 #include "lone_sphere_flow.hpp"
 
 namespace beadswim {

@@ -2,9 +2,9 @@
 
 #include <Eigen/LU>
 
+#include "beadswim/collinear/multipole_mobility.hpp"
 #include "beadswim/core/complex.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/multipole_mobility.hpp"
 
 namespace beadswim {
 

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "beadswim/collinear/pair_mobility.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/mobility/pair_mobility.hpp"
 #include "beadswim/mobility/rotne_prager_tensor.hpp"
 
 namespace beadswim {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/collinear/pair_mobility.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/mobility/pair_mobility.hpp"
 
 // clang-format off
 // Rotne-Prager-Yamakawa mobility of two spheres of any radii in open space. The spheres may overlap:

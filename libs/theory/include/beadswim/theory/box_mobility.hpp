@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "beadswim/mobility/collinear_mobility.hpp"
-#include "beadswim/mobility/line_flow.hpp"
+#include "beadswim/collinear/collinear_mobility.hpp"
+#include "beadswim/collinear/line_flow.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/question.hpp"
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <complex>
 
+#include "beadswim/collinear/collinear_mobility.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/mobility/collinear_mobility.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {

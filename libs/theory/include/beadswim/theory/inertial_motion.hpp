@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "beadswim/mobility/line_flow.hpp"
+#include "beadswim/collinear/line_flow.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/question.hpp"
 #include "beadswim/theory/reynolds_stress.hpp"

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "beadswim/mobility/oscillating_spheres.hpp"
+#include "beadswim/collinear/oscillating_spheres.hpp"
 
 // clang-format off
 // Mean forces of the fluid on spheres that oscillate on a line, to second order in the amplitude, in unbounded fluid.

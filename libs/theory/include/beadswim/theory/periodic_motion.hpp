@@ -3,7 +3,7 @@
 #include <array>
 #include <functional>
 
-#include "beadswim/mobility/collinear_mobility.hpp"
+#include "beadswim/collinear/collinear_mobility.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/stroke.hpp"
 

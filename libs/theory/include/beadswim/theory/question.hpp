@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/collinear/collinear_mobility.hpp"
 #include "beadswim/core/box.hpp"
-#include "beadswim/mobility/collinear_mobility.hpp"
 #include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/perturbation.hpp"

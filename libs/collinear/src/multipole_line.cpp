@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "beadswim/collinear/multipole_mobility.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/multipole_mobility.hpp"
 
 namespace beadswim::multipole {
 

@@ -1,4 +1,4 @@
-#include "beadswim/mobility/collinear_mobility.hpp"
+#include "beadswim/collinear/collinear_mobility.hpp"
 
 namespace beadswim {
 

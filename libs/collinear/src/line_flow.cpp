@@ -1,12 +1,12 @@
-#include "beadswim/mobility/line_flow.hpp"
+#include "beadswim/collinear/line_flow.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/collinear/periodic_unsteady_stokes.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/periodic_unsteady_stokes.hpp"
 
 namespace beadswim {
 

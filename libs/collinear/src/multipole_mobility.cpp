@@ -1,4 +1,4 @@
-#include "beadswim/mobility/multipole_mobility.hpp"
+#include "beadswim/collinear/multipole_mobility.hpp"
 
 #include <fmt/core.h>
 

@@ -1,13 +1,13 @@
-#include "beadswim/mobility/unsteady_stokes.hpp"
+#include "beadswim/collinear/unsteady_stokes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/mobility/line_flow.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
-#include "beadswim/mobility/unsteady_sphere.hpp"
+#include "beadswim/collinear/line_flow.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
+#include "beadswim/collinear/unsteady_sphere.hpp"
 #include "oscillation.hpp"
 
 namespace beadswim {

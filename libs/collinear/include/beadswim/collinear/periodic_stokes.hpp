@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "beadswim/mobility/line_kernel.hpp"
-#include "beadswim/mobility/periodic_line.hpp"
+#include "beadswim/collinear/line_kernel.hpp"
+#include "beadswim/collinear/periodic_line.hpp"
 
 // Steady Stokes flow of a periodic lattice of forces along x. The velocity along x per force, G_xx, is
 // evaluated on the line of the forces by an Ewald sum with Hasimoto's splitting. For one force in unbounded

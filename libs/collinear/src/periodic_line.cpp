@@ -1,4 +1,4 @@
-#include "beadswim/mobility/periodic_line.hpp"
+#include "beadswim/collinear/periodic_line.hpp"
 
 #include <fmt/core.h>
 

@@ -3,9 +3,9 @@
 #include <complex>
 #include <optional>
 
+#include "beadswim/collinear/line_kernel.hpp"
+#include "beadswim/collinear/periodic_stokes.hpp"
 #include "beadswim/core/box.hpp"
-#include "beadswim/mobility/line_kernel.hpp"
-#include "beadswim/mobility/periodic_stokes.hpp"
 
 // Velocity along x on a line parallel to x, caused by forces along x on this line. The fluid is unbounded or
 // fills a box. Each axis of the box is periodic or has free-slip walls.

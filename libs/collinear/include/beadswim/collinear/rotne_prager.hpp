@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/mobility/pair_mobility.hpp"
+#include "beadswim/collinear/pair_mobility.hpp"
 
 // clang-format off
 // Rotne-Prager pair mobility of two spheres of any radii along their common line. The spheres may overlap.

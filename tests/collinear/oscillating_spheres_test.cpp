@@ -1,4 +1,4 @@
-#include "beadswim/mobility/oscillating_spheres.hpp"
+#include "beadswim/collinear/oscillating_spheres.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/collinear/multipole_mobility.hpp"
 #include "beadswim/core/complex.hpp"
-#include "beadswim/mobility/multipole_mobility.hpp"
 
 namespace beadswim {
 namespace {

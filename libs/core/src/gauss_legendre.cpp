@@ -1,4 +1,4 @@
-#include "beadswim/mobility/gauss_legendre.hpp"
+#include "beadswim/core/gauss_legendre.hpp"
 
 #include <boost/math/special_functions/legendre.hpp>
 

@@ -3,8 +3,8 @@
 #include <complex>
 #include <vector>
 
-#include "beadswim/mobility/periodic_stokes.hpp"
-#include "beadswim/mobility/unsteady_stokes.hpp"
+#include "beadswim/collinear/periodic_stokes.hpp"
+#include "beadswim/collinear/unsteady_stokes.hpp"
 
 // clang-format off
 // Unsteady Stokes flow of a periodic lattice of oscillating forces along x: velocity along x on the line of

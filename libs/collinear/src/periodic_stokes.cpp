@@ -1,4 +1,4 @@
-#include "beadswim/mobility/periodic_stokes.hpp"
+#include "beadswim/collinear/periodic_stokes.hpp"
 
 #include <complex>
 #include <numbers>

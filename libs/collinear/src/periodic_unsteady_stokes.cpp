@@ -1,4 +1,4 @@
-#include "beadswim/mobility/periodic_unsteady_stokes.hpp"
+#include "beadswim/collinear/periodic_unsteady_stokes.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "beadswim/mobility/unsteady_stokes.hpp"
+#include "beadswim/collinear/unsteady_stokes.hpp"
 
 #include <array>
 #include <cmath>

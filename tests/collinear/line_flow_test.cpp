@@ -1,12 +1,12 @@
-#include "beadswim/mobility/line_flow.hpp"
+#include "beadswim/collinear/line_flow.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "beadswim/collinear/pair_mobility.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/pair_mobility.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 
 namespace beadswim {
 namespace {

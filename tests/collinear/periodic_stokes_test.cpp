@@ -1,10 +1,10 @@
-#include "beadswim/mobility/periodic_stokes.hpp"
+#include "beadswim/collinear/periodic_stokes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "beadswim/mobility/pair_mobility.hpp"
+#include "beadswim/collinear/pair_mobility.hpp"
 
 namespace beadswim {
 namespace {

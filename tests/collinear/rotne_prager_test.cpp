@@ -1,4 +1,4 @@
-#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "beadswim/mobility/collinear_mobility.hpp"
-#include "beadswim/mobility/oseen.hpp"
+#include "beadswim/collinear/collinear_mobility.hpp"
+#include "beadswim/collinear/oseen.hpp"
 #include "central_difference.hpp"
 
 namespace beadswim {

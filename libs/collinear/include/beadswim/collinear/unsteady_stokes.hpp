@@ -2,7 +2,7 @@
 
 #include <complex>
 
-#include "beadswim/mobility/line_kernel.hpp"
+#include "beadswim/collinear/line_kernel.hpp"
 
 // Unsteady Stokes flow of a point force along x in unbounded fluid. The force oscillates as exp(i omega t).
 // The velocity along x per force is G_xx, the sum of a helmholtz and a harmonic part.

@@ -1,4 +1,4 @@
-#include "beadswim/mobility/multipole_mobility.hpp"
+#include "beadswim/collinear/multipole_mobility.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
 #include "bispherical.hpp"
 
 namespace beadswim {

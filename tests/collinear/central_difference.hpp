@@ -1,6 +1,6 @@
 #pragma once
 
-#include "beadswim/mobility/pair_mobility.hpp"
+#include "beadswim/collinear/pair_mobility.hpp"
 
 namespace beadswim {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <complex>
 
-#include "beadswim/mobility/line_kernel.hpp"
+#include "beadswim/collinear/line_kernel.hpp"
 
 // clang-format off
 // Effect of the radius of a rigid sphere in a flow that oscillates as exp(i omega t). The radius changes the

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "beadswim/mobility/pair_mobility.hpp"
+#include "beadswim/collinear/pair_mobility.hpp"
 
 // Oseen pair mobility of two spheres on their common line.
 //

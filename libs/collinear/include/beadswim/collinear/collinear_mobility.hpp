@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "beadswim/mobility/pair_mobility.hpp"
+#include "beadswim/collinear/pair_mobility.hpp"
 
 namespace beadswim {
 

@@ -1,11 +1,11 @@
-#include "beadswim/mobility/oscillating_spheres.hpp"
+#include "beadswim/collinear/oscillating_spheres.hpp"
 
 #include <Eigen/QR>
 #include <cmath>
 #include <numbers>
 
 #include "beadswim/core/complex.hpp"
-#include "beadswim/mobility/gauss_legendre.hpp"
+#include "beadswim/core/gauss_legendre.hpp"
 
 namespace beadswim {
 
