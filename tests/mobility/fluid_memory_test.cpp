@@ -9,9 +9,9 @@
 #include "../collinear/oscillation.hpp"
 #include "beadswim/collinear/oscillating_spheres.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/force_moments.hpp"
+#include "beadswim/mobility/mobility.hpp"
 #include "memory_field.hpp"
-#include "moment_product.hpp"
 
 // Spheres in a fluid with memory, against sums over wavevectors, exact multipoles and laws.
 
@@ -57,16 +57,16 @@ struct Spheres {
 /// in the fourth period.
 std::vector<Complex> oscillating_velocities(const Spheres& s, const Communicator& world) {
   const double step = 2 * pi / s.omega / s.steps;
-  MobilityProduct product(s.scene(step), s.places, world);
+  Mobility product(s.scene(step), s.places, world);
   constexpr int periods = 4;
   std::vector<Complex> sums(s.places.size());
   std::vector<Vec3> velocities(s.places.size());
-  product.start(s.places, s.forces_times(1));
+  product.start(s.forces_times(1));
   for (int n = 1; n <= periods * s.steps; ++n) {
     const double phase = 2 * pi * n / s.steps;
     const std::vector<Vec3> forces = s.forces_times(std::cos(phase));
-    product.apply(s.places, forces, velocities, FlowPart::all);
-    product.end_step(s.places, forces, Vec3::Zero());
+    product.apply(forces, velocities, FlowPart::all);
+    product.end_step(forces, Vec3::Zero());
     for (std::size_t b = 0; b < sums.size() && n > (periods - 1) * s.steps; ++b)
       sums[b] += velocities[b][0] * std::polar(2.0 / s.steps, -phase);
   }
@@ -87,7 +87,7 @@ Complex exact_velocity(double edge, double omega, const Communicator& world) {
                             .tolerance = 1e-8};
   const std::vector<Vec3> place{{0, 0, 0}}, force{{1, 0, 0}};
   std::vector<Vec3> velocity(1);
-  MobilityProduct(scene, place, world).apply(place, force, velocity);
+  Mobility(scene, place, world).apply(force, velocity);
   Complex sum = velocity[0][0];
   const double wave = 2 * pi / edge;
   const int n = static_cast<int>(12 / wave);  // the rest is below 1e-5
@@ -206,13 +206,13 @@ TEST_F(FluidMemoryTest, AfterAnImpulseDecaysWithThePowerThreeHalves) {
   Spheres s = lone_sphere(60, 1);
   s.spacing = 2;
   constexpr double step = 0.25;
-  MobilityProduct product(s.scene(step), s.places, world);
+  Mobility product(s.scene(step), s.places, world);
   std::vector<Vec3> velocities(1);
-  product.start(s.places, s.forces_times(0));
+  product.start(s.forces_times(0));
   for (int n = 1; n <= 141; ++n) {
     const std::vector<Vec3> forces = s.forces_times(n == 1 ? 1 : 0);
-    product.apply(s.places, forces, velocities, FlowPart::all);
-    product.end_step(s.places, forces, Vec3::Zero());
+    product.apply(forces, velocities, FlowPart::all);
+    product.end_step(forces, Vec3::Zero());
     const double time = (n - 1) * step, law = step / (12 * std::pow(pi * time, 1.5));
     if (time < 5) continue;
     const double in_open_space = velocities[0][0] + 2.0 / 3 * step / std::pow(s.edge, 3);
@@ -237,13 +237,13 @@ TEST_F(FluidMemoryTest, WithoutDensityIsSteadyFlow) {
   Spheres s = random_spheres(6, 10);
   for (const int order : {0, 1, 2}) {
     s.order = order;
-    const MobilityProduct steady(s.scene(0.1, 0), s.places, world);
-    MobilityProduct light(s.scene(0.1, 1e-15), s.places, world);
+    Mobility steady(s.scene(0.1, 0), s.places, world);
+    Mobility light(s.scene(0.1, 1e-15), s.places, world);
     std::vector<Vec3> expected(6), found(6);
-    light.start(s.places, s.forces_times(1));
-    light.end_step(s.places, s.forces_times(-2), Vec3::Zero());
-    steady.apply(s.places, s.forces_times(1), expected);
-    light.apply(s.places, s.forces_times(1), found, FlowPart::all);
+    light.start(s.forces_times(1));
+    light.end_step(s.forces_times(-2), Vec3::Zero());
+    steady.apply(s.forces_times(1), expected);
+    light.apply(s.forces_times(1), found, FlowPart::all);
     // With higher moments, the iteration begins elsewhere.
     const double limit = order == 0 ? 1e-13 : 1e-5;
     for (int b = 0; b < 6; ++b) EXPECT_LT((found[b] - expected[b]).norm(), limit * expected[b].norm());
@@ -264,15 +264,15 @@ TEST_F(FluidMemoryTest, OfAWallIsThatOfTheMirrorImages) {
     walled.box = Box{{10, 10, 10}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
     periodic.box = Box{{10, 20, 10}, {}};
     for (MobilityScene* scene : {&walled, &periodic}) scene->memory->has_reynolds_stress = true;
-    MobilityProduct in_half(walled, half.places, world), in_whole(periodic, whole.places, world);
-    in_half.start(half.places, half.forces_times(0));
-    in_whole.start(whole.places, whole.forces_times(0));
+    Mobility in_half(walled, half.places, world), in_whole(periodic, whole.places, world);
+    in_half.start(half.forces_times(0));
+    in_whole.start(whole.forces_times(0));
     std::vector<Vec3> found(4), expected(8);
     for (int n = 1; n <= 3; ++n) {
-      in_half.apply(half.places, half.forces_times(n), found, FlowPart::all);
-      in_whole.apply(whole.places, whole.forces_times(n), expected, FlowPart::all);
-      in_half.end_step(half.places, half.forces_times(n), Vec3::Zero());
-      in_whole.end_step(whole.places, whole.forces_times(n), Vec3::Zero());
+      in_half.apply(half.forces_times(n), found, FlowPart::all);
+      in_whole.apply(whole.forces_times(n), expected, FlowPart::all);
+      in_half.end_step(half.forces_times(n), Vec3::Zero());
+      in_whole.end_step(whole.forces_times(n), Vec3::Zero());
     }
     for (int b = 0; b < 4; ++b) EXPECT_LT((found[b] - expected[b]).norm(), 2e-5 * expected[b].norm());
   }
@@ -382,19 +382,15 @@ TEST_F(FluidMemoryTest, HasAPositiveDefiniteMobilityOfBeadsInContact) {
   for (const int order : {1, 2}) {
     for (const double diffusion : {0.01, 0.1, 1.0}) {  // nu h/a^2
       Spheres chain{.edge = 24, .places = {{5, 5, 5}, {7, 5, 5}, {9, 5, 5}}, .forces = {}, .order = order};
-      const MobilityScene scene = chain.scene(diffusion);
-      const EwaldPlan plan = plan_ewald({.lengths = Vec3::Constant(chain.edge),
-                                         .beads = 3,
-                                         .largest_radius = 1,
-                                         .moment_order = order,
-                                         .max_spacing = chain.spacing});
-      const MomentProduct product(scene, plan, world);
+      MobilityScene scene = chain.scene(diffusion);
+      scene.tolerance = 1e-4;
+      Mobility product(scene, chain.places, world);
       const int size = 3 * moment_count(order);
       Eigen::MatrixXd mobility(size, size);
       for (int m = 0; m < size; ++m) {
         const Eigen::VectorXd moments = Eigen::VectorXd::Unit(size, m);
-        product.apply(chain.places, {moments.data(), moments.data() + size},
-                      {mobility.col(m).data(), mobility.col(m).data() + size});
+        product.project_flow_of({moments.data(), moments.data() + size},
+                                {mobility.col(m).data(), mobility.col(m).data() + size});
       }
       const Eigen::VectorXd scale = mobility.diagonal().cwiseSqrt().cwiseInverse();
       const Eigen::MatrixXd scaled = scale.asDiagonal() * mobility * scale.asDiagonal();
@@ -409,7 +405,7 @@ TEST_F(FluidMemoryTest, NeedsABox) {
   Spheres s = lone_sphere(10, 0.5);
   MobilityScene scene = s.scene(0.1);
   scene.box.reset();
-  EXPECT_THROW(MobilityProduct(scene, s.places, world), InputError);
+  EXPECT_THROW(Mobility(scene, s.places, world), InputError);
 }
 
 }  // namespace

@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/mobility.hpp"
 #include "beadswim/mobility/wall_map.hpp"
-#include "moment_product.hpp"
 #include "sphere_surfaces.hpp"
 
 // Mobility of spheres over a plane no-slip wall and in a linear background flow, against Blake's tensor,
@@ -40,9 +39,9 @@ MobilityScene over_wall(MobilityModel model, const Spheres& spheres, int order =
 std::vector<Vec3> velocities(const MobilityScene& scene, const Spheres& spheres,
                              const std::vector<Vec3>& forces) {
   const Communicator self(MPI_COMM_SELF);
-  const MobilityProduct product(scene, spheres.places, self);
+  Mobility product(scene, spheres.places, self);
   std::vector<Vec3> result(forces.size());
-  EXPECT_TRUE(product.apply(spheres.places, forces, result, FlowPart::all).is_converged);
+  EXPECT_TRUE(product.apply(forces, result, FlowPart::all).is_converged);
   return result;
 }
 
@@ -116,15 +115,14 @@ INSTANTIATE_TEST_SUITE_P(Orders, HalfSpaceOrder, testing::Values(0, 1, 2));
 
 /// Returns the matrix from all moments to all projections of several spheres over a wall.
 Eigen::MatrixXd moment_matrix(int order, const Spheres& spheres, int axis = 2) {
-  if (order == 0) return mobility(over_wall(MobilityModel::rpy, spheres, 0, axis), spheres);
   const Communicator self(MPI_COMM_SELF);
-  const MomentProduct product(over_wall(MobilityModel::multipole, spheres, order, axis), {}, self);
+  Mobility product(over_wall(MobilityModel::multipole, spheres, order, axis), spheres.places, self);
   const Eigen::Index size = moment_count(order) * std::ssize(spheres.radii);
   Eigen::MatrixXd matrix(size, size);
   for (Eigen::Index k = 0; k < size; ++k) {
     std::vector<double> moments(size, 0.0);
     moments[k] = 1;
-    product.apply(spheres.places, moments, {matrix.col(k).data(), static_cast<std::size_t>(size)});
+    product.project_flow_of(moments, {matrix.col(k).data(), static_cast<std::size_t>(size)});
   }
   return matrix;
 }
@@ -328,23 +326,13 @@ std::vector<double> random_moments(int order, const Spheres& spheres) {
   return moments;
 }
 
-/// Returns M moments with the scene's mesh or, for few spheres, sums over all pairs; both for forces and
-/// for moments.
+/// Returns M moments with the scene's mesh or, for few spheres, sums over all pairs.
 std::vector<double> projections(MobilityScene scene, const Spheres& spheres,
                                 const std::vector<double>& moments) {
   const Communicator world(MPI_COMM_WORLD);
   scene.radii = spheres.radii;
   std::vector<double> result(moments.size());
-  if (scene.moment_order == 0) {
-    std::vector<Vec3> forces, v(spheres.radii.size());
-    for (std::size_t b = 0; b < v.size(); ++b)
-      forces.emplace_back(moments[3 * b], moments[3 * b + 1], moments[3 * b + 2]);
-    MobilityProduct(scene, spheres.places, world).apply(spheres.places, forces, v);
-    std::copy_n(v[0].data(), result.size(), result.begin());
-    return result;
-  }
-  const MobilityProduct product(scene, spheres.places, world);  // for its plan
-  MomentProduct(scene, product.plan(), world).apply(spheres.places, moments, result);
+  Mobility(scene, spheres.places, world).project_flow_of(moments, result);
   return result;
 }
 
@@ -357,7 +345,7 @@ TEST_P(FastSumOverWall, EqualsTheSumOverAllPairs) {
   MobilityScene scene = over_wall(model, all, order);
   scene.tolerance = tolerance;
   scene.radii = all.radii;
-  EXPECT_TRUE(MobilityProduct(scene, all.places, Communicator(MPI_COMM_WORLD)).plan()->has_mirror_points);
+  EXPECT_TRUE(Mobility(scene, all.places, Communicator(MPI_COMM_WORLD)).plan()->has_mirror_points);
   const std::vector<double> found = projections(scene, all, moments);
   scene.tolerance = 1e-12;
   double error = 0, size = 0;
@@ -395,7 +383,7 @@ TEST(HalfSpace, ManySpheresHighAboveTheWallNeedNoLargeMesh) {
   MobilityScene scene = over_wall(MobilityModel::rpy, spheres);
   scene.tolerance = 1e-4;
   scene.radii = spheres.radii;
-  const MobilityProduct product(scene, spheres.places, Communicator(MPI_COMM_WORLD));
+  const Mobility product(scene, spheres.places, Communicator(MPI_COMM_WORLD));
   EXPECT_FALSE(product.plan()->has_mirror_points);
   const std::vector<double> moments = random_moments(0, spheres);
   const std::vector<double> found = projections(scene, spheres, moments);
@@ -462,11 +450,11 @@ TEST(BackgroundFlow, ABoxIsRefused) {
   const Spheres sphere{.radii = {1}, .places = {{4, 4, 4}}};
   MobilityScene scene = over_wall(MobilityModel::rpy, sphere);
   scene.box = Box{.lengths = Vec3(9, 9, 9)};
-  EXPECT_THROW(MobilityProduct(scene, sphere.places, self), InputError);
+  EXPECT_THROW(Mobility(scene, sphere.places, self), InputError);
   scene.half_space.reset();
-  EXPECT_NO_THROW(MobilityProduct(scene, sphere.places, self));
+  EXPECT_NO_THROW(Mobility(scene, sphere.places, self));
   scene.flow.velocity[1] = 1;
-  EXPECT_THROW(MobilityProduct(scene, sphere.places, self), InputError);
+  EXPECT_THROW(Mobility(scene, sphere.places, self), InputError);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/mobility.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,9 +32,9 @@ direct::Spheres random_spheres(int count, const Vec3& lengths, double smallest, 
 
 direct::Vectors product(const MobilityScene& scene, const direct::Spheres& spheres) {
   const Communicator world(MPI_COMM_WORLD);
-  const MobilityProduct mobility(scene, spheres.places, world);
+  Mobility mobility(scene, spheres.places, world);
   direct::Vectors velocities(spheres.places.size());
-  mobility.apply(spheres.places, spheres.forces, velocities);
+  mobility.apply(spheres.forces, velocities);
   return velocities;
 }
 
@@ -54,7 +54,7 @@ const Box boxes[] = {{{20, 20, 20}, {}},
 
 // Against the sum over all images and wavevectors of another splitting: the error is what was asked for,
 // however small. A wrong share of the windows, size term, self term or mirror is far outside of it.
-TEST(MobilityProduct, InABoxIsTheDirectSumToItsTolerance) {
+TEST(Mobility, InABoxIsTheDirectSumToItsTolerance) {
   for (const MobilityModel model : {MobilityModel::rpy, MobilityModel::oseen}) {
     const auto law = model == MobilityModel::oseen ? direct::Law::oseen : direct::Law::rotne_prager;
     for (const Box& box : boxes) {
@@ -73,7 +73,7 @@ TEST(MobilityProduct, InABoxIsTheDirectSumToItsTolerance) {
 
 // Against the sum of all pairs: a thousand spheres are on the mesh. Crowded, where many overlap, and far
 // apart.
-TEST(MobilityProduct, InOpenSpaceIsTheSumOfPairsToItsTolerance) {
+TEST(Mobility, InOpenSpaceIsTheSumOfPairsToItsTolerance) {
   for (const double edge : {25.0, 60.0, 1500.0}) {
     for (const bool alike : {true, false}) {
       const direct::Spheres spheres = random_spheres(1001, {edge, edge, edge / 2}, 1, alike);
@@ -88,7 +88,7 @@ TEST(MobilityProduct, InOpenSpaceIsTheSumOfPairsToItsTolerance) {
 }
 
 // Triplets five radii long, a million apart: near pairs are as right as where all are near.
-TEST(MobilityProduct, KeepsNearPairsOfSpheresThatAreFarFromOthers) {
+TEST(Mobility, KeepsNearPairsOfSpheresThatAreFarFromOthers) {
   direct::Spheres spheres = random_spheres(1200, {1e6, 1e6, 1e6}, 1, true);
   for (std::size_t b = 0; b < spheres.places.size(); ++b)
     spheres.places[b] = spheres.places[b - b % 3] + Vec3(5.0 * static_cast<double>(b % 3), 0, 0);
@@ -99,7 +99,7 @@ TEST(MobilityProduct, KeepsNearPairsOfSpheresThatAreFarFromOthers) {
 }
 
 // Spheres at one place, and all but, move as one: nothing cancels.
-TEST(MobilityProduct, SumsSpheresThatCoincide) {
+TEST(Mobility, SumsSpheresThatCoincide) {
   direct::Spheres spheres = random_spheres(1200, {60, 60, 60}, 1, true);
   spheres.places[1] = spheres.places[0];
   spheres.places[3] = spheres.places[2] + Vec3(1e-6, 0, 0);
@@ -111,24 +111,25 @@ TEST(MobilityProduct, SumsSpheresThatCoincide) {
 }
 
 // Places that are no numbers crash nothing.
-TEST(MobilityProduct, BearsPlacesThatAreNoNumbers) {
+TEST(Mobility, BearsPlacesThatAreNoNumbers) {
   for (const bool is_periodic : {false, true}) {
     direct::Spheres spheres = random_spheres(1200, {40, 40, 40}, 1, true);
     const Communicator world(MPI_COMM_WORLD);
     MobilityScene scene{MobilityModel::rpy, eta, {}, spheres.radii};
     if (is_periodic) scene.box = Box{{40, 40, 40}, {}};
-    const MobilityProduct mobility(scene, spheres.places, world);
+    Mobility mobility(scene, spheres.places, world);
     spheres.places[7] = Vec3::Constant(std::nan(""));
     direct::Vectors velocities(spheres.places.size());
     try {
-      mobility.apply(spheres.places, spheres.forces, velocities);
+      mobility.set_positions(spheres.places);
+      mobility.apply(spheres.forces, velocities);
       EXPECT_FALSE(velocities[7].allFinite());
     } catch (const SolverError&) {  // as good an answer
     }
   }
 }
 
-TEST(MobilityProduct, SumsFewSpheresInOpenSpaceToRoundoff) {
+TEST(Mobility, SumsFewSpheresInOpenSpaceToRoundoff) {
   constexpr double roundoff = 1e-14;
   for (const MobilityModel model : {MobilityModel::rpy, MobilityModel::oseen}) {
     const auto law = model == MobilityModel::oseen ? direct::Law::oseen : direct::Law::rotne_prager;
@@ -140,7 +141,7 @@ TEST(MobilityProduct, SumsFewSpheresInOpenSpaceToRoundoff) {
 }
 
 // Where positions differ by whole edges of the box, and however the swarm has moved in open space.
-TEST(MobilityProduct, DoesNotHangOnImagesOrPlace) {
+TEST(Mobility, DoesNotHangOnImagesOrPlace) {
   direct::Spheres spheres = random_spheres(40, {20, 24, 30}, 1, false);
   const MobilityScene in_box{MobilityModel::rpy, eta, Box{{20, 24, 30}}, spheres.radii, 1e-6};
   const auto before = product(in_box, spheres);
@@ -153,16 +154,17 @@ TEST(MobilityProduct, DoesNotHangOnImagesOrPlace) {
   direct::Spheres many = random_spheres(1001, {40, 40, 40}, 1, true);
   const Communicator world(MPI_COMM_WORLD);
   const double tolerance = 1e-4;
-  const MobilityProduct mobility({MobilityModel::rpy, eta, {}, many.radii, tolerance}, many.places, world);
+  Mobility mobility({MobilityModel::rpy, eta, {}, many.radii, tolerance}, many.places, world);
   for (Vec3& place : many.places) place = 1.3 * place + Vec3(1e4, -300, 7);  // the mesh follows, and grows
   direct::Vectors velocities(many.places.size());
-  mobility.apply(many.places, many.forces, velocities);
+  mobility.set_positions(many.places);
+  mobility.apply(many.forces, velocities);
   EXPECT_LT(relative_error(velocities, direct::open_velocities(direct::Law::rotne_prager, many, eta)),
             tolerance);
 }
 
 // <f, mu g> = <g, mu f>, and f does work: pairs and mesh together, to roundoff, whatever the tolerance.
-TEST(MobilityProduct, IsReciprocalAndDissipates) {
+TEST(Mobility, IsReciprocalAndDissipates) {
   direct::Spheres spheres = random_spheres(60, {20, 24, 30}, 1, false);
   const MobilityScene scene{MobilityModel::rpy, eta, Box{{20, 24, 30}}, spheres.radii, 1e-3};
   const direct::Vectors f = spheres.forces, by_f = product(scene, spheres);
@@ -180,13 +182,13 @@ TEST(MobilityProduct, IsReciprocalAndDissipates) {
 }
 
 // The same bits again on as many ranks: FFTW's plans and the order of sums do not hang on time or luck.
-TEST(MobilityProduct, RepeatsItsBits) {
+TEST(Mobility, RepeatsItsBits) {
   const direct::Spheres spheres = random_spheres(1200, {40, 40, 40}, 1, false);
   const MobilityScene scene{MobilityModel::rpy, eta, {}, spheres.radii, 1e-4};
   EXPECT_EQ(product(scene, spheres), product(scene, spheres));
 }
 
-TEST(MobilityProduct, RefusesWhatItCannotSum) {
+TEST(Mobility, RefusesWhatItCannotSum) {
   const direct::Spheres spheres = random_spheres(5, {20, 20, 20}, 1, true);
   MobilityScene scene{MobilityModel::rpy, eta, Box{{20, 20, 3}}, spheres.radii};
   EXPECT_THROW(product(scene, spheres), InputError);

@@ -122,13 +122,13 @@ TEST(NearField, FadesOutWithoutAStep) {
 /// Returns all columns of the mobility matrix.
 Eigen::MatrixXd matrix_of(const MobilityScene& scene, const Vectors& places) {
   const Communicator world(MPI_COMM_WORLD);
-  const MobilityProduct mobility(scene, places, world);
+  Mobility mobility(scene, places, world);
   const auto n = static_cast<Eigen::Index>(3 * places.size());
   Eigen::MatrixXd matrix(n, n);
   for (Eigen::Index c = 0; c < n; ++c) {
     Vectors forces(places.size(), Vec3::Zero()), column(places.size());
     forces[c / 3][c % 3] = 1;
-    mobility.apply(places, forces, column);
+    mobility.apply(forces, column);
     matrix.col(c) = Eigen::Map<const Eigen::VectorXd>(column[0].data(), n);
   }
   return matrix;
@@ -207,11 +207,13 @@ TEST(NearField, KeepsNoMemoryOfEarlierPlaces) {
   const Crowd crowd(9, 6, {9, 9, 9});
   const Vectors fresh = velocities(near_scene(crowd.radii), crowd.places, crowd.forces);
   const Communicator world(MPI_COMM_WORLD);
-  const MobilityProduct used(near_scene(crowd.radii), crowd.places, world);
+  Mobility used(near_scene(crowd.radii), crowd.places, world);
   Vectors elsewhere = crowd.places, found(fresh.size());
   for (std::size_t b = 0; b < elsewhere.size(); ++b) elsewhere[b] *= 1.3;
-  used.apply(elsewhere, crowd.forces, found);
-  used.apply(crowd.places, crowd.forces, found);
+  used.set_positions(elsewhere);
+  used.apply(crowd.forces, found);
+  used.set_positions(crowd.places);
+  used.apply(crowd.forces, found);
   EXPECT_EQ(found, fresh);
 }
 

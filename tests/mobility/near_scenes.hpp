@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/mobility.hpp"
 
 namespace beadswim {
 
@@ -16,9 +16,9 @@ constexpr double eta = 1.0 / 3;  // [mass/(length time)]
 
 inline Vectors velocities(const MobilityScene& scene, const Vectors& places, const Vectors& forces) {
   const Communicator world(MPI_COMM_WORLD);
-  const MobilityProduct mobility(scene, places, world);
+  Mobility mobility(scene, places, world);
   Vectors result(places.size());
-  mobility.apply(places, forces, result);
+  mobility.apply(forces, result);
   return result;
 }
 

@@ -121,7 +121,8 @@ class SwarmRates {
 
   void multiply(const Beads& places, const Beads& forces, double* result) {
     Beads velocities(places.size());
-    product_.apply(places, forces, velocities);
+    product_.set_positions(places);
+    product_.apply(forces, velocities);
     ++products_;
     for (std::size_t b = 0; b < places.size(); ++b) Eigen::Map<Vec3>(result + 3 * b) = velocities[b];
   }
@@ -129,7 +130,7 @@ class SwarmRates {
   const OverdampedScene& scene_;
   Communicator world_;
   Beads start_;
-  MobilityProduct product_;
+  Mobility product_;
   std::vector<Eigen::PartialPivLU<Matrix9>> preconditioner_;
   long products_ = 0;
 };

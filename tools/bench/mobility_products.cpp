@@ -11,9 +11,9 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/median.hpp"
 #include "beadswim/mobility/force_moments.hpp"
-#include "beadswim/mobility/mobility_product.hpp"
-#include "beadswim/mobility/particle_mesh.hpp"
+#include "beadswim/mobility/mobility.hpp"
 #include "first_ranks.hpp"
+#include "particle_mesh.hpp"
 
 namespace beadswim {
 namespace {
@@ -85,14 +85,15 @@ double mesh_seconds(const MobilityScene& scene, const EwaldPlan& plan, const Bea
                     const Communicator& communicator) {
   const std::size_t count = beads.positions.size(), each = 3 * derivative_count(scene.moment_order);
   std::vector<double> sources(each * count, 1.0), flows(each * count);
-  ParticleMesh mesh(plan, scene.box->lengths,
-                    {.squared_radii = std::vector<double>(count, scene.radii[0] * scene.radii[0]),
-                     .viscosity = scene.viscosity,
-                     .moment_order = scene.moment_order,
-                     .memory = scene.memory},
-                    communicator);
-  return median(times_of(rounds, communicator,
-                         [&] { mesh.add_flows(beads.positions, sources, FlowPart::forces, flows); }));
+  const ImagedSpheres spheres{.order = scene.moment_order,
+                              .viscosity = scene.viscosity,
+                              .radii = scene.radii,
+                              .lengths = scene.box->lengths};
+  ParticleMesh mesh(plan, spheres, scene.memory, {}, communicator);
+  return median(times_of(rounds, communicator, [&] {
+    mesh.set_positions(beads.positions, count);
+    mesh.add_flows(sources, FlowPart::forces, flows);
+  }));
 }
 
 /// Times one mobility product. Evaluates its error relative to a product with 1/1000 of the tolerance.
@@ -123,10 +124,11 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
   std::vector<Vec3> velocities(count), reference(count);
   {
     const std::int64_t before = resident_bytes(communicator);
-    MobilityProduct product(scene, beads.positions, communicator);
+    Mobility product(scene, beads.positions, communicator);
     is_on_mesh = product.plan().has_value();
     const std::vector<double> seconds = times_of(request.rounds, communicator, [&] {
-      const ProductWork work = product.apply(beads.positions, beads.forces, velocities);
+      product.set_positions(beads.positions);
+      const ProductWork work = product.apply(beads.forces, velocities);
       row.iterations = static_cast<int>(work.iterations);
     });
     row.memory_bytes = resident_bytes(communicator) - before;
@@ -134,14 +136,13 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
     row.seconds_best = *std::ranges::min_element(seconds);
     if (request.is_unsteady) {
       row.mesh_seconds = mesh_seconds(scene, *product.plan(), beads, request.rounds, communicator);
-      row.end_of_step_seconds = median(times_of(request.rounds, communicator, [&] {
-        product.end_step(beads.positions, beads.forces, Vec3::Zero());
-      }));
+      row.end_of_step_seconds = median(
+          times_of(request.rounds, communicator, [&] { product.end_step(beads.forces, Vec3::Zero()); }));
     }
   }
   if (is_on_mesh && count <= max_beads_for_error && request.tolerance >= min_tolerance_for_error) {
     scene.tolerance = request.tolerance / 1000;
-    MobilityProduct(scene, beads.positions, communicator).apply(beads.positions, beads.forces, reference);
+    Mobility(scene, beads.positions, communicator).apply(beads.forces, reference);
     row.error = relative_difference(velocities, reference);
   }
   return row;

@@ -26,7 +26,7 @@ struct ProductRequest {
   int rounds = 9;            ///< repetitions of each product
 };
 
-/// Time, error and memory of a mobility product (class MobilityProduct): the evaluation of the velocities of
+/// Time, error and memory of a mobility product (class Mobility): the evaluation of the velocities of
 /// all beads from the forces on them.
 struct ProductRow {
   int beads = 0;

@@ -32,8 +32,8 @@ constexpr int max_own_iterations = 20, max_iterations = 10;
 
 }  // namespace
 
-ImplicitStep::ImplicitStep(const OverdampedScene& scene, std::span<const double> radii,
-                           const MobilityProduct& mobility, const Communicator& communicator)
+ImplicitStep::ImplicitStep(const OverdampedScene& scene, std::span<const double> radii, Mobility& mobility,
+                           const Communicator& communicator)
     : scene_{.scene = scene, .radii = radii, .communicator = communicator},
       mobility_(mobility),
       smallest_radius_(*std::ranges::min_element(radii)) {
@@ -126,10 +126,11 @@ ImplicitStepResult ImplicitStep::solve_linearised(const StepStart& step,
   ImplicitStepResult result;
   Beads places = step.positions;
   flat(places) += flat(step.expansion_point);
+  mobility_.set_positions(places);
   // The mean flow u_0 depends on the velocities y + u_0 themselves: u_0 = u_0(y)/(1 + sum m'/(rho V)).
   const auto product = [&](const Beads& forces, FlowPart part) {
     Beads velocities(forces.size());
-    result.work.add(mobility_.apply(places, forces, velocities, part));
+    result.work.add(mobility_.apply(forces, velocities, part));
     if (const Vec3 flow = mean_flow(velocities) / (1 + excess_share_); !flow.isZero(0))
       for (Vec3& v : velocities) v += flow;
     return velocities;
@@ -180,7 +181,6 @@ ImplicitStepResult ImplicitStep::solve_linearised(const StepStart& step,
   result.smallest_gap = balance.smallest_gap(velocities);
   result.velocities = std::move(velocities);
   result.forces = std::move(forces);
-  result.places = std::move(places);
   return result;
 }
 

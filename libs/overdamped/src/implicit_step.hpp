@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/mobility.hpp"
 #include "implicit_balance.hpp"
 
 // An implicit time step of all swimmers. The unknowns are the displacements u of the beads from the start of
@@ -39,7 +39,6 @@ struct ImplicitStepResult {
   Beads displacements{};  ///< u, displacements of the beads in the step
   Beads velocities{};     ///< v, velocities of the beads at the end of the step
   Beads forces{};         ///< F, forces of the beads on the fluid at the end of the step
-  Beads places{};         ///< positions at which the mobility was evaluated
   Beads distant{};        ///< d, velocities of the beads in the flow of all other swimmers
   ProductWork work{};     ///< of all mobility products evaluated
   /// Smallest gap of all contacts at the end of the step [length]; infinity without contacts.
@@ -50,10 +49,11 @@ struct ImplicitStepResult {
 class ImplicitStep {
  public:
   /// Keeps references to all arguments.
-  ImplicitStep(const OverdampedScene& scene, std::span<const double> radii, const MobilityProduct& mobility,
+  ImplicitStep(const OverdampedScene& scene, std::span<const double> radii, Mobility& mobility,
                const Communicator& communicator);
 
-  /// Solves one step, with the flow d of all other swimmers as extrapolated from earlier steps. Collective.
+  /// Solves one step, with the flow d of all other swimmers as extrapolated from earlier steps. The mobility
+  /// is then at the last expansion point. Collective.
   ImplicitStepResult solve(const StepStart& step) const;
 
   /// Returns the forces on beads at rest at `start`, at the time of the rule.
@@ -73,7 +73,7 @@ class ImplicitStep {
   Vec3 excess_momentum(const Beads& velocities) const;
 
   StepScene scene_;
-  const MobilityProduct& mobility_;
+  Mobility& mobility_;
   double fluid_mass_ = 0;              ///< rho V: mass of fluid that would fill the box; 0 without memory
   double excess_share_ = 0;            ///< sum of the excess masses, divided by fluid_mass_
   double smallest_radius_;                                         ///< radius of the smallest bead [length]

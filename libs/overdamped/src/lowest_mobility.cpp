@@ -25,19 +25,19 @@ bool has_close_spheres(std::span<const Vec3> positions, std::span<const double> 
   return false;
 }
 
-std::optional<std::size_t> find_reversed_bead(const MobilityProduct& mobility,
-                                              std::span<const Vec3> positions,
+std::optional<std::size_t> find_reversed_bead(Mobility& mobility, std::span<const Vec3> positions,
                                               const Eigen::VectorXd& root_mobility, Eigen::VectorXd& mode,
                                               const Communicator& communicator) {
   constexpr int max_products = 60;
   constexpr double converged = 0.02;  // residual, divided by the eigenvalue
   const Eigen::Index most = std::min<Eigen::Index>(max_products, mode.size());
+  mobility.set_positions(positions);
   Eigen::MatrixXd basis = mode.normalized(), projected = Eigen::MatrixXd::Zero(most, most);
   std::array<double, 2> ritz{};  // eigenvalue and its residual
   for (Eigen::Index k = 0;; ++k) {
     Beads forces(positions.size()), velocities(positions.size());
     flat(forces) = basis.col(k).cwiseQuotient(root_mobility);
-    mobility.apply(positions, forces, velocities);
+    mobility.apply(forces, velocities);
     Eigen::VectorXd next = flat(velocities).cwiseQuotient(root_mobility);
     projected.col(k).head(k + 1) = basis.transpose() * next;
     for (int pass = 0; pass < 2; ++pass) next -= basis * (basis.transpose() * next);

@@ -6,7 +6,7 @@
 
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/mobility.hpp"
 
 namespace beadswim {
 
@@ -21,8 +21,7 @@ bool has_close_spheres(std::span<const Vec3> positions, std::span<const double> 
 /// has an eigenvalue that is not positive. Then these forces gain work from the fluid. `root_mobility`:
 /// square root of the mobility of each bead alone. `mode`: guess of the eigenvector of the smallest
 /// eigenvalue; becomes the eigenvector, found by the method of Lanczos. Collective.
-std::optional<std::size_t> find_reversed_bead(const MobilityProduct& mobility,
-                                              std::span<const Vec3> positions,
+std::optional<std::size_t> find_reversed_bead(Mobility& mobility, std::span<const Vec3> positions,
                                               const Eigen::VectorXd& root_mobility, Eigen::VectorXd& mode,
                                               const Communicator& communicator);
 

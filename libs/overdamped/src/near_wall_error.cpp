@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/mobility.hpp"
 #include "beadswim/mobility/wall_map.hpp"
 
 namespace beadswim {
@@ -23,7 +23,7 @@ double error_across_wall(double height, MobilityModel model, int moment_order) {
                             .half_space = HalfSpace{}};
   Vec3 velocity;
   const Communicator self(MPI_COMM_SELF);
-  MobilityProduct(scene, {&place, 1}, self).apply({&place, 1}, {&force, 1}, {&velocity, 1});
+  Mobility(scene, {&place, 1}, self).apply({&force, 1}, {&velocity, 1});
   return std::abs(velocity.z() * drag_towards_wall(place.z()) - 1);
 }
 

@@ -108,7 +108,7 @@ void OverdampedSystem::solve_initial_velocities() {
   const StepRule rule{.weight = 1, .span = 0, .time = time()};
   if (scene_.memory) {
     const Beads forces = implicit_step_->forces_at_rest(rule, state_.positions[0]);
-    add_work(mobility_.start(state_.positions[0], forces));
+    add_work(mobility_.start(forces));
     return;
   }
   ImplicitStepResult result = solve_step(rule, {nowhere, {}}, nowhere, state_.distant[0]);
@@ -172,7 +172,7 @@ void OverdampedSystem::take_bdf_step() {
                                          weighted_sum({{3, &d}, {-3, &d1}, {1, &d2}}));
   state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
   if (scene_.memory)
-    add_work(mobility_.end_step(result.places, result.forces, implicit_step_->mean_flow(result.velocities)));
+    add_work(mobility_.end_step(result.forces, implicit_step_->mean_flow(result.velocities)));
   accept(std::move(result));
 }
 

@@ -61,7 +61,7 @@ StepCost estimated_cost(const OverdampedScene& scene) {
 StepCost measured_cost(const OverdampedScene& scene, const Communicator& communicator) {
   const Beads places = start_positions(scene);
   Beads forces(places.size()), velocities(places.size());
-  MobilityProduct product(mobility_scene(scene), places, communicator);
+  Mobility product(mobility_scene(scene), places, communicator);
   int count = 0;
   StepCost cost;
   const auto evaluate = [&] {
@@ -69,9 +69,10 @@ StepCost measured_cost(const OverdampedScene& scene, const Communicator& communi
     for (std::size_t b = 0; b < forces.size(); ++b)
       forces[b] = Vec3::UnitX() * (b % 3 == 1 ? -2 : 1) * factor;
     const double begin = MPI_Wtime();
-    product.apply(places, forces, velocities, FlowPart::all);
+    product.set_positions(places);
+    product.apply(forces, velocities, FlowPart::all);
     const double middle = MPI_Wtime();
-    if (scene.memory) product.end_step(places, forces, Vec3::Zero());
+    if (scene.memory) product.end_step(forces, Vec3::Zero());
     cost.product += middle - begin;
     cost.end_of_step += MPI_Wtime() - middle;
   };

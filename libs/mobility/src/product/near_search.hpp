@@ -32,7 +32,6 @@ class NearSearch {
 
   /// Returns the sphere at each place of the sorted list.
   const std::vector<int>& order() const { return cells_.order(); }
-  bool is_receiver(std::size_t place) const { return is_receiver_[place] != 0; }
 
   /// Finds this rank's share of the pairs within the cutoff of which at least one sphere is a receiver. Calls
   /// sum(place) for each batch of pairs of the sphere at this place with others; sum must empty the batch.

@@ -25,8 +25,10 @@ std::vector<double> squares_of_classes(std::vector<double> squares) {
 
 }  // namespace
 
-SourceClasses::SourceClasses(std::span<const double> squared_radii, int highest_degree) {
-  const std::vector<double> squares = squares_of_classes({squared_radii.begin(), squared_radii.end()});
+SourceClasses::SourceClasses(std::span<const double> radii, int highest_degree) {
+  std::vector<double> squared_radii;
+  for (const double radius : radii) squared_radii.push_back(radius * radius);
+  const std::vector<double> squares = squares_of_classes(squared_radii);
   radii_ = squares.size();
   for (int degree = 0; degree <= highest_degree; ++degree)
     for (const double square : squares) classes_.push_back({.degree = degree, .radius = std::sqrt(square)});

@@ -16,8 +16,8 @@ struct SourceClass {
 /// square of the radius, which determines form factors at low wavenumbers.
 class SourceClasses {
  public:
-  /// `squared_radii`: a_i^2 of each sphere; `highest_degree`: of the sources.
-  SourceClasses(std::span<const double> squared_radii, int highest_degree);
+  /// `radii`: of each sphere [length]; `highest_degree`: of the sources.
+  SourceClasses(std::span<const double> radii, int highest_degree);
 
   std::size_t size() const { return classes_.size(); }
   const std::vector<SourceClass>& classes() const { return classes_; }

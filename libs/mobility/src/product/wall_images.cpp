@@ -2,17 +2,22 @@
 
 #include <numeric>
 
-#include "beadswim/core/cell_list.hpp"
-#include "beadswim/mobility/force_moments.hpp"
 #include "beadswim/mobility/wall_mobility.hpp"
 #include "moment_kernels.hpp"
 #include "moment_radials.hpp"
 
 namespace beadswim {
 
-void WallImages::add_flow_at_mirror(std::span<const Vec3> positions, std::span<const double> sources,
-                                    std::span<const int> spheres, const Vec3& point, MirrorFlow& flow) const {
-  const int numbers = 3 * derivative_count(law_.order), highest = 2 * law_.order + 4;
+void WallImages::set_positions(std::span<const Vec3> positions) {
+  places_.assign(positions.begin(), positions.end());
+  all_.resize(positions.size());
+  std::iota(all_.begin(), all_.end(), 0);
+  if (uses_mesh()) cells_.emplace(positions, plan_->cutoff, Vec3::Zero());
+}
+
+void WallImages::add_flow_at_mirror(std::span<const double> sources, std::span<const int> spheres,
+                                    const Vec3& point, MirrorFlow& flow) const {
+  const int numbers = static_cast<int>(spheres_.elements()), highest = 2 * spheres_.order + 4;
   PointSources batch{};
   MirrorFlowParts parts;
   batch.has_bilaplacian = uses_mesh();
@@ -20,81 +25,74 @@ void WallImages::add_flow_at_mirror(std::span<const Vec3> positions, std::span<c
     for (int lane = 0; lane < lanes; ++lane) {
       const bool is_used = first + lane < spheres.size();
       const int sphere = spheres[is_used ? first + lane : first];
-      const Vec3 r = point - positions[sphere];
+      const Vec3 r = point - places_[sphere];
       const MomentRadials radials = uses_mesh()
-                                        ? near_radials(law_.plan->xi, r.norm(), law_.viscosity, highest)
-                                        : open_radials(r.norm(), law_.viscosity, highest);
+                                        ? near_radials(plan_->xi, r.norm(), spheres_.viscosity, highest)
+                                        : open_radials(r.norm(), spheres_.viscosity, highest);
       for (int a = 0; a < 3; ++a) batch.r[a][lane] = r[a];
       for (int n = 0; n <= highest; ++n) {
         batch.chi[n][lane] = radials.chi[n];
         batch.laplacian[n][lane] = radials.laplacian[n];
         if (n <= highest - 2) batch.bilaplacian[n][lane] = radials.bilaplacian[n];
       }
-      const std::array<double, 3> sizes = moment_sizes(law_.radii[sphere]);
+      const std::array<double, 3> sizes = moment_sizes(spheres_.radii[sphere]);
       for (int l = 0; l < 3; ++l) batch.size[l][lane] = sizes[l];
       for (int k = 0; k < numbers; ++k) batch.source[k][lane] = is_used ? sources[numbers * sphere + k] : 0;
     }
-    best_kernels<MomentKernels>().mirror_flow(law_.order, law_.half_space.axis, batch, parts);
+    best_kernels<MomentKernels>().mirror_flow(spheres_.order, half_space_.axis, batch, parts);
   }
   const auto add = [](double& to, const double* part) {
     for (int lane = 0; lane < lanes; ++lane) to += part[lane];
   };
-  for (int d = 0; d < derivative_count(law_.order); ++d)
+  for (int d = 0; d < derivative_count(spheres_.order); ++d)
     for (int c = 0; c < 3; ++c) add(flow.velocity[c][d], parts.velocity[c][d]);
-  for (int d = 0; d < derivative_count(law_.order + 2); ++d) {
+  for (int d = 0; d < derivative_count(spheres_.order + 2); ++d) {
     add(flow.across[d], parts.across[d]);
     add(flow.pressure[d], parts.pressure[d]);
   }
 }
 
-void WallImages::add_flows(std::span<const Vec3> positions, std::span<const double> sources,
-                           std::span<double> flows, ParticleMesh* mesh,
+void WallImages::add_flows(std::span<const double> sources, std::span<double> flows, ParticleMesh* mesh,
                            const Communicator& communicator) const {
-  const std::size_t numbers = 3 * derivative_count(law_.order);
-  std::vector<MirrorFlow> at_mirrors(positions.size());
-  if (uses_mesh()) mesh->add_flows_and_mirrors(law_.half_space, positions, sources, flows, at_mirrors);
-  std::vector<int> spheres(positions.size());
-  std::iota(spheres.begin(), spheres.end(), 0);
-  std::optional<CellList> cells;
-  if (uses_mesh()) cells.emplace(positions, law_.plan->cutoff, Vec3::Zero());
-  for (std::size_t b = communicator.rank(); b < positions.size(); b += communicator.size()) {
-    const Vec3 point = law_.half_space.mirrored(positions[b]);
-    if (cells) {
-      spheres.clear();
-      cells->visit_neighbours(point, [&](std::size_t other) {
-        if ((positions[other] - point).norm() < law_.plan->cutoff) spheres.push_back(static_cast<int>(other));
+  const std::size_t elements = spheres_.elements();
+  std::vector<MirrorFlow> at_mirrors(places_.size());
+  if (uses_mesh()) mesh->add_flows_and_mirrors(sources, flows, at_mirrors);
+  std::vector<int> near;
+  for (std::size_t b = communicator.rank(); b < places_.size(); b += communicator.size()) {
+    const Vec3 point = half_space_.mirrored(places_[b]);
+    if (cells_) {
+      near.clear();
+      cells_->visit_neighbours(point, [&](std::size_t other) {
+        if ((places_[other] - point).norm() < plan_->cutoff) near.push_back(static_cast<int>(other));
         return true;
       });
     }
-    add_flow_at_mirror(positions, sources, spheres, point, at_mirrors[b]);
+    add_flow_at_mirror(sources, cells_ ? near : all_, point, at_mirrors[b]);
   }
-  for (std::size_t b = 0; b < positions.size(); ++b)
-    add_reflected_flow(law_.order, law_.half_space.axis, law_.half_space.height(positions[b]),
-                       moment_sizes(law_.radii[b]), at_mirrors[b], &flows[numbers * b]);
+  for (std::size_t b = 0; b < places_.size(); ++b)
+    add_reflected_flow(spheres_.order, half_space_.axis, half_space_.height(places_[b]),
+                       moment_sizes(spheres_.radii[b]), at_mirrors[b], &flows[elements * b]);
 }
 
-void WallImages::add_flow(std::span<const Vec3> positions, std::span<const double> sources, const Vec3& place,
-                          double radius, double* flow) const {
+void WallImages::add_flow(std::span<const double> sources, const Vec3& place, double radius,
+                          double* flow) const {
   MirrorFlow at_mirror;
-  std::vector<int> spheres(positions.size());
-  std::iota(spheres.begin(), spheres.end(), 0);
-  add_flow_at_mirror(positions, sources, spheres, law_.half_space.mirrored(place), at_mirror);
-  add_reflected_flow(law_.order, law_.half_space.axis, law_.half_space.height(place), moment_sizes(radius),
+  add_flow_at_mirror(sources, all_, half_space_.mirrored(place), at_mirror);
+  add_reflected_flow(spheres_.order, half_space_.axis, half_space_.height(place), moment_sizes(radius),
                      at_mirror, flow);
 }
 
 void add_wall_mobility(const HalfSpace& half_space, std::span<const double> radii,
                        const Eigen::Matrix3Xd& positions, double viscosity, Eigen::MatrixXd& mobility) {
   for (Eigen::Index j = 0; j < positions.cols(); ++j) {
-    const WallImages images(
-        {.order = 0, .viscosity = viscosity, .half_space = half_space, .radii = {radii[j]}});
     const Vec3 source = positions.col(j);
+    WallImages images({.viscosity = viscosity, .radii = {radii[j]}}, half_space, {});
+    images.set_positions({&source, 1});
     for (int c = 0; c < 3; ++c) {
       const Vec3 force = Vec3::Unit(c);
       for (Eigen::Index i = 0; i < positions.cols(); ++i) {
-        const Vec3 place = positions.col(i);
         Vec3 flow = Vec3::Zero();
-        images.add_flow({&source, 1}, {force.data(), 3}, place, radii[i], flow.data());
+        images.add_flow({force.data(), 3}, positions.col(i), radii[i], flow.data());
         mobility.block<3, 1>(3 * i, 3 * j + c) += flow;
       }
     }

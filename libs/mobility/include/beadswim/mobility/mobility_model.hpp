@@ -4,7 +4,7 @@
 
 namespace beadswim {
 
-/// Law that gives the velocities of spheres from the forces on them (mobility_product.hpp).
+/// Law that gives the velocities of spheres from the forces on them (mobility.hpp).
 enum class MobilityModel {
   oseen,      ///< Oseen tensor of point forces
   rpy,        ///< Rotne-Prager-Yamakawa tensor of spheres

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/mobility.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 
 namespace beadswim {

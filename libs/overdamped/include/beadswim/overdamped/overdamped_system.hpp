@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/mobility.hpp"
 #include "beadswim/overdamped/overdamped_scene.hpp"
 
 // Swimmers in a fluid without inertia, or with memory (mobility/fluid_memory.hpp). Without inertia, the
@@ -18,7 +18,7 @@
 //   dx/dt = v,   v = mu(x) F(x, v, t)
 //
 //   F   forces of springs, dashpots, angular springs, driving and contacts
-//   mu  mobility of all beads (mobility_product.hpp)
+//   mu  mobility of all beads (mobility.hpp)
 //
 // A time step uses the backward difference formula of third order (BDF3). The forces are linearised at the
 // end of the step:
@@ -120,7 +120,7 @@ class OverdampedSystem {
   double time() const { return static_cast<double>(state_.steps_done) * scene_.step; }
   const OverdampedScene& scene() const { return scene_; }
   const OverdampedState& state() const { return state_; }
-  const MobilityProduct& mobility() const { return mobility_; }
+  const Mobility& mobility() const { return mobility_; }
 
   /// Returns the mean velocity of fluid and beads, where beads count with the mass of the displaced fluid; 0
   /// without memory of the fluid.
@@ -166,7 +166,7 @@ class OverdampedSystem {
   OverdampedScene scene_;
   const Communicator& communicator_;
   std::vector<double> radii_;  ///< radius of each bead [length]
-  MobilityProduct mobility_;
+  Mobility mobility_;
   std::unique_ptr<ImplicitStep> implicit_step_;
   /// Eigenvector of the smallest eigenvalue of the mobility, of all beads; empty: always positive definite.
   Eigen::VectorXd lowest_mode_;

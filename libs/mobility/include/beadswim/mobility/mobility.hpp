@@ -63,6 +63,11 @@ struct MobilityScene {
   BackgroundFlow flow{};                  ///< without box and memory
 };
 
+/// Returns the highest moment of the forces in the scene.
+inline int highest_moment(const MobilityScene& scene) {
+  return has_moment_order(scene.model) ? scene.moment_order : 0;
+}
+
 /// Work of products. Only products with force moments need iterations.
 struct ProductWork {
   long products = 0;
@@ -85,31 +90,38 @@ struct MemoryState {
   std::vector<double> moments;     ///< moments of the spheres in earlier steps
 };
 
-class MobilityProduct {
+class Mobility {
  public:
-  /// Prepares the product. All ranks must call the constructor (collective). `positions` [length] are
-  /// approximate positions of the spheres, which determine only how the work is divided between pairs and
-  /// mesh. If they differ from the positions in apply(), results change within the tolerance. Throws
-  /// InputError in these cases:
+  /// Prepares the mobility of spheres at `positions` [length], which also determine how the work is divided
+  /// between pairs and mesh: at other positions, results change within the tolerance. Throws InputError in
+  /// these cases:
   ///   - There is no sphere.
   ///   - A radius, the viscosity, a length of the box, the tolerance or the order of moments is invalid.
-  MobilityProduct(MobilityScene scene, std::span<const Vec3> positions, const Communicator& communicator);
-  ~MobilityProduct();
-  MobilityProduct(const MobilityProduct&) = delete;
-  MobilityProduct& operator=(const MobilityProduct&) = delete;
+  /// All ranks must call the constructor and all other functions that are not const (collective).
+  Mobility(MobilityScene scene, std::span<const Vec3> positions, const Communicator& communicator);
+  ~Mobility();
+  Mobility(const Mobility&) = delete;
+  Mobility& operator=(const Mobility&) = delete;
 
-  /// Sets velocities[i] to the velocity v_i of each sphere i [length/time]. `positions` are in [length],
-  /// `forces` in [mass length/time^2]. All arrays contain all spheres and are equal on all ranks. On an equal
-  /// number of ranks, equal arguments give the same bits. On different numbers of ranks, results agree to
-  /// roundoff, and with force moments to the tolerance. All ranks must call the function (collective).
-  ProductWork apply(std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
-                    FlowPart part = FlowPart::forces) const;
+  /// Moves all spheres to `positions` [length]. What depends on positions alone is computed once for all
+  /// products there.
+  void set_positions(std::span<const Vec3> positions);
 
-  /// Sets the fluid at rest. The forces begin to act. No effect without memory. Collective.
-  ProductWork start(std::span<const Vec3> positions, std::span<const Vec3> forces);
+  /// Sets velocities[i] to the velocity v_i of each sphere i [length/time], by `forces`
+  /// [mass length/time^2]. All arrays contain all spheres and are equal on all ranks. On an equal number of
+  /// ranks, equal arguments give the same bits. On different numbers of ranks, results agree to roundoff, and
+  /// with force moments to the tolerance.
+  ProductWork apply(std::span<const Vec3> forces, std::span<Vec3> velocities,
+                    FlowPart part = FlowPart::forces);
+  /// Sets `projections` to those of the flow of `moments`, moment_count() numbers per sphere each
+  /// (force_moments.hpp), without a map of close spheres and without background flow.
+  void project_flow_of(std::span<const double> moments, std::span<double> projections);
+
+  /// Sets the fluid at rest. The forces begin to act. No effect without memory.
+  ProductWork start(std::span<const Vec3> forces);
   /// Ends a time step, at whose end the spheres exert `forces` on the fluid. `mean_flow`: mean velocity of
-  /// the fluid, with the insides of the spheres. Only with memory; collective.
-  ProductWork end_step(std::span<const Vec3> positions, std::span<const Vec3> forces, const Vec3& mean_flow);
+  /// the fluid, with the insides of the spheres. Only with memory.
+  ProductWork end_step(std::span<const Vec3> forces, const Vec3& mean_flow);
   MemoryState memory_state() const;
   void restore(const MemoryState& state);
 

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/mobility/mobility.hpp"
+#include "pair_sum.hpp"
+#include "particle_mesh.hpp"
+#include "unresolved_memory.hpp"
+#include "wall_images.hpp"
+
+namespace beadswim {
+
+/// Matrix M from the moments of the forces on all spheres to the projections of their flow on the moments of
+/// all spheres (force_moments.hpp), and the memory of the fluid. It is the sum of parts, each made once:
+///
+///   pairs   all pairs in open space, or the near part of an Ewald sum
+///   mesh    far part of the Ewald sum; with memory of the fluid, its Fourier modes
+///   wall    flow that the wall of a half-space adds
+///   self    each sphere alone; with memory, the flow that the mesh does not resolve
+class GrandMobility {
+ public:
+  /// `plan`: parameters of the Ewald sum; nullopt: all pairs are summed directly. Collective.
+  GrandMobility(const MobilityScene& scene, const std::optional<EwaldPlan>& plan,
+                const Communicator& communicator);
+
+  int moments_per_sphere() const { return moment_count(order()); }
+  /// Sets the positions for later products [length]. Collective.
+  void set_positions(std::span<const Vec3> positions);
+
+  /// Sets `projections` to M `moments`, moment_count() numbers per sphere each, with the projections of the
+  /// flow that earlier forces have left if `part` asks for them. Collective.
+  void apply(std::span<const double> moments, std::span<double> projections, FlowPart part);
+  /// Returns the moments H that would cause `projections` on each sphere alone; the forces are zero.
+  std::vector<double> precondition(std::span<const double> projections) const;
+
+  bool has_memory() const { return unresolved_.has_value(); }
+  /// Sets the fluid at rest. The moments begin to act. Collective.
+  void start(std::span<const double> moments);
+  /// Ends a time step, at whose end the moments act. Collective.
+  void end_step(std::span<const double> moments, const Vec3& mean_flow);
+  MemoryField& modes() { return *mesh_->memory(); }
+  UnresolvedMemory& unresolved() { return *unresolved_; }
+
+ private:
+  int order() const { return spheres_.order; }
+  std::vector<double> sources_of(std::span<const double> moments) const;
+
+  std::optional<Box> box_;
+  std::vector<double> radii_;  ///< of the spheres without images [length]
+  ImagedSpheres spheres_;
+  const Communicator& communicator_;
+  PairSum pairs_;
+  std::unique_ptr<ParticleMesh> mesh_{};          ///< null: all pairs are summed without a mesh
+  std::optional<WallImages> wall_{};              ///< nullopt: without half-space
+  std::optional<UnresolvedMemory> unresolved_{};  ///< nullopt: steady flow
+  std::vector<double> self_forces_;               ///< order 0: self-mobility without the far part [time/mass]
+  Eigen::MatrixXd self_, inverse_self_;           ///< self-mobility of a sphere of radius 1, and its inverse
+};
+
+}  // namespace beadswim

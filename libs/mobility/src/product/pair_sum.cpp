@@ -1,0 +1,212 @@
+#include "pair_sum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "moment_flow.hpp"
+#include "moment_kernels.hpp"
+#include "moment_radials.hpp"
+
+namespace beadswim {
+namespace {
+
+void set_radials(MomentPairs& pairs, int lane, const MomentRadials& radials) {
+  for (int n = 0; n <= highest_of_pairs; ++n) {
+    pairs.chi[n][lane] = radials.chi[n];
+    pairs.laplacian[n][lane] = radials.laplacian[n];
+    if (n <= highest_of_pairs - 2) pairs.bilaplacian[n][lane] = radials.bilaplacian[n];
+  }
+}
+
+}  // namespace
+
+PairSum::PairSum(const ImagedSpheres& spheres, const std::optional<EwaldPlan>& plan, double min_distance)
+    : spheres_(spheres), xi_(plan ? plan->xi : 0), cutoff_(plan ? plan->cutoff : 0) {
+  if (plan && spheres.order == 0) table_.emplace(spheres, xi_, cutoff_, min_distance);
+}
+
+void PairSum::set_positions(std::span<const Vec3> positions, std::size_t receivers) {
+  if (xi_ > 0) {
+    search_.emplace(positions, receivers, cutoff_, spheres_.lengths);
+    order_ = search_->order();
+  } else {
+    places_.assign(positions.begin(), positions.end());
+    order_.resize(positions.size());
+    std::iota(order_.begin(), order_.end(), 0);
+  }
+  radii_.clear();
+  for (const int sphere : order_) radii_.push_back(spheres_.radii[sphere]);
+}
+
+/// Sources and flows of all spheres, in the order of the sum, and the current pairs of one sphere.
+struct PairSum::Work {
+  std::vector<double> sources, flows;
+  PairBatch batch;
+  MomentPairs pairs;
+  int count = 0;  ///< lanes in use
+  int one = 0;    ///< the one sphere of the pairs
+  std::array<int, lanes> other{};
+};
+
+void PairSum::add_flows(std::span<const double> sources, std::span<double> flows,
+                        const Communicator& communicator) const {
+  const std::size_t n = spheres_.elements();
+  Work work;  // its large arrays are not initialised
+  work.sources.resize(sources.size());
+  work.flows.resize(sources.size(), 0.0);
+  for (std::size_t s = 0; s < order_.size(); ++s)
+    std::copy_n(&sources[n * order_[s]], n, &work.sources[n * s]);
+  if (search_) {
+    search_->for_each_batch(work.batch, communicator, [&](int one) { add_batch(work, one); });
+  } else {
+    for (int i = communicator.rank(); i < std::ssize(places_); i += communicator.size()) {
+      for (int j = i + 1; j < std::ssize(places_); ++j) {
+        const Vec3 d = places_[i] - places_[j];
+        add_pair(work, i, j, d, d.norm());
+      }
+    }
+  }
+  flush(work);
+  for (std::size_t s = 0; s < order_.size(); ++s)
+    if (n * order_[s] < flows.size())
+      for (std::size_t k = 0; k < n; ++k) flows[n * order_[s] + k] += work.flows[n * s + k];
+}
+
+/// Adds a batch of pairs of the sphere `one`: by the table, pairs that it lacks one by one.
+void PairSum::add_batch(Work& work, int one) const {
+  PairBatch& batch = work.batch;
+  int kept = 0;
+  for (int t = 0; t < batch.count; ++t) {
+    const int other = batch.other[t];
+    const Vec3 d(batch.d[0][t], batch.d[1][t], batch.d[2][t]);
+    if (!table_ || !table_->contains(batch.r2[t])) {
+      add_pair(work, one, other, d, table_ ? std::sqrt(batch.r2[t]) : d.norm());
+      continue;
+    }
+    batch.other[kept] = other;
+    batch.r2[kept] = batch.r2[t];
+    for (int a = 0; a < 3; ++a) {
+      batch.d[a][kept] = d[a];
+      batch.force[a][kept] = work.sources[3 * other + a];
+    }
+    if (!table_->has_one_radius())
+      batch.squares[kept] = radii_[one] * radii_[one] + radii_[other] * radii_[other];
+    ++kept;
+  }
+  batch.count = kept;
+  if (table_)
+    best_kernels<MobilityKernels>().pair_velocities(table_->table(), &work.sources[3 * one], batch,
+                                                    &work.flows[3 * one]);
+  for (int t = 0; t < kept; ++t)
+    for (int a = 0; a < 3; ++a) work.flows[3 * batch.other[t] + a] += batch.velocity[a][t];
+  batch.count = 0;
+}
+
+/// Adds a pair at the vector d, of length r, from sphere `other` to sphere `one`.
+void PairSum::add_pair(Work& work, int one, int other, const Vec3& d, double r) const {
+  if (spheres_.order == 0) return add_forces(work, one, other, d, r);
+  if (work.one != one || work.count == lanes) flush(work);
+  work.one = one;
+  const bool overlaps = r < radii_[one] + radii_[other];
+  if (overlaps) add_overlap(work, one, other, d);
+  if (overlaps && xi_ == 0) return;  // there is no far part to subtract
+  // The near part of spheres that overlap is the exact flow minus the far part.
+  const MomentRadials radials = xi_ == 0   ? open_radials(r, spheres_.viscosity)
+                                : overlaps ? -far_radials(xi_, r, spheres_.viscosity)
+                                           : near_radials(xi_, r, spheres_.viscosity);
+  const int lane = work.count++;
+  work.other[lane] = other;
+  for (int a = 0; a < 3; ++a) work.pairs.r[a][lane] = d[a];
+  set_radials(work.pairs, lane, radials);
+  const std::array<double, 3> size = moment_sizes(radii_[other]);
+  for (int l = 0; l < 3; ++l) work.pairs.size[l][lane] = size[l];
+  const std::size_t n = spheres_.elements();
+  for (std::size_t k = 0; k < n; ++k) work.pairs.source[k][lane] = work.sources[n * other + k];
+}
+
+/// Adds a pair of spheres with forces alone.
+void PairSum::add_forces(Work& work, int one, int other, const Vec3& d, double r) const {
+  const PairTensor tensor = near_part(xi_, radii_[one], radii_[other], r, spheres_.viscosity);
+  const auto push = [&](int to, int from) {
+    Eigen::Map<Vec3>(&work.flows[3 * to]) += tensor.apply(d, r, Vec3(&work.sources[3 * from]));
+  };
+  push(one, other);
+  push(other, one);
+}
+
+/// Adds the exact flow of two spheres that overlap, in both directions, for each pair of degrees of their
+/// moments.
+void PairSum::add_overlap(Work& work, int one, int other, const Vec3& d) const {
+  const int count = derivative_count(spheres_.order);
+  const std::size_t n = spheres_.elements();
+  const double r = std::max(d.norm(), 1e-6 * std::min(radii_[one], radii_[other]));
+  const Vec3 place = d.norm() > 0 ? Vec3(d * (r / d.norm())) : Vec3(r, 0, 0);
+  const double vector[3]{place[0], place[1], place[2]};
+  constexpr auto& first = derivative_table.first;
+  for (int l = 0; l <= spheres_.order; ++l) {
+    for (int m = 0; m <= spheres_.order; ++m) {
+      const MomentRadials radials = overlap_radials(l, m, radii_[one], radii_[other], r, spheres_.viscosity);
+      double chi[derivative_count(highest_of_pairs)], laplacian[derivative_count(highest_of_pairs)];
+      cartesian_derivatives<highest_of_pairs>(vector, radials.chi, chi);
+      cartesian_derivatives<highest_of_pairs>(vector, radials.laplacian, laplacian);
+      const auto add_flow = [&](const double* source, int of, double* flow, int at, double sign) {
+        for (int c = 0; c < 3; ++c) {
+          for (int e = first[at]; e < first[at + 1]; ++e) {
+            double sum = 0;
+            for (int s = first[of]; s < first[of + 1]; ++s) {
+              sum += source[c * count + s] * laplacian[derivative_sums.of[s][e]];
+              for (int b = 0; b < 3; ++b)
+                sum -= source[b * count + s] *
+                       chi[derivative_sums.of[derivative_sums.of[s][1 + b]][derivative_sums.of[e][1 + c]]];
+            }
+            flow[c * count + e] += sign * sum;
+          }
+        }
+      };
+      const double reversed = (l + m) % 2 == 0 ? 1 : -1;
+      add_flow(&work.sources[n * other], m, &work.flows[n * one], l, 1);
+      add_flow(&work.sources[n * one], l, &work.flows[n * other], m, reversed);
+    }
+  }
+}
+
+/// Adds the flow of the current pairs.
+void PairSum::flush(Work& work) const {
+  if (work.count == 0) return;
+  MomentPairs& pairs = work.pairs;
+  for (int lane = work.count; lane < lanes; ++lane) {  // copies without sources
+    for (auto& component : pairs.r) component[lane] = component[0];
+    for (auto* functions : {pairs.chi, pairs.laplacian})
+      for (int n = 0; n < 7; ++n) functions[n][lane] = functions[n][0];
+    for (auto& function : pairs.bilaplacian) function[lane] = function[0];
+    for (auto& size : pairs.size) size[lane] = 0;
+    for (auto& source : pairs.source) source[lane] = 0;
+  }
+  const std::size_t n = spheres_.elements();
+  OneSphere one{.source = &work.sources[n * work.one], .size = {}, .flow = &work.flows[n * work.one]};
+  std::ranges::copy(moment_sizes(radii_[work.one]), one.size);
+  best_kernels<MomentKernels>().moment_pairs(spheres_.order, one, pairs);
+  for (int lane = 0; lane < work.count; ++lane)
+    for (std::size_t k = 0; k < n; ++k) work.flows[n * work.other[lane] + k] += pairs.flow[k][lane];
+  work.count = 0;
+}
+
+void PairSum::subtract_far_flow(std::span<const double> sources, std::span<double> flows) const {
+  const std::size_t n = spheres_.elements();
+  MomentPairs pairs{};
+  set_radials(pairs, 0, far_radials(xi_, 0, spheres_.viscosity));
+  const std::vector<double> none(n, 0.0);
+  std::vector<double> flow(n);
+  for (std::size_t b = 0; n * b < flows.size(); ++b) {
+    const std::array<double, 3> size = moment_sizes(spheres_.radii[b]);
+    std::ranges::fill(flow, 0.0);
+    OneSphere one{.source = none.data(), .size = {}, .flow = flow.data()};
+    for (int l = 0; l < 3; ++l) one.size[l] = pairs.size[l][0] = size[l];
+    for (std::size_t k = 0; k < n; ++k) pairs.source[k][0] = sources[n * b + k];
+    best_kernels<MomentKernels>().moment_pairs(spheres_.order, one, pairs);
+    for (std::size_t k = 0; k < n; ++k) flows[n * b + k] -= flow[k];
+  }
+}
+
+}  // namespace beadswim

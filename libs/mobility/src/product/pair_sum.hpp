@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/mobility/ewald_plan.hpp"
+#include "imaged_spheres.hpp"
+#include "near_search.hpp"
+#include "tensor_table.hpp"
+
+namespace beadswim {
+
+/// Flow of the sources of many spheres at the other spheres (force_moments.hpp), summed over pairs: over all
+/// pairs in open space, or the near part of an Ewald sum, with a correction for spheres that overlap.
+class PairSum {
+ public:
+  /// `plan`: of the Ewald sum; nullopt: sum over all pairs in open space. `min_distance`: of TensorTable.
+  PairSum(const ImagedSpheres& spheres, const std::optional<EwaldPlan>& plan, double min_distance);
+
+  /// Sets the positions of all spheres and images. `receivers`: number of the spheres without images.
+  void set_positions(std::span<const Vec3> positions, std::size_t receivers);
+
+  /// Adds the part of the flow that this rank evaluates. `sources`: of all spheres and images; `flows`: at
+  /// the receivers.
+  void add_flows(std::span<const double> sources, std::span<double> flows,
+                 const Communicator& communicator) const;
+
+  /// Subtracts from `flows` the flow of each sphere at itself that the far part of the Ewald sum contains.
+  void subtract_far_flow(std::span<const double> sources, std::span<double> flows) const;
+
+ private:
+  struct Work;
+  void add_batch(Work& work, int one) const;
+  void add_pair(Work& work, int one, int other, const Vec3& d, double r) const;
+  void add_forces(Work& work, int one, int other, const Vec3& d, double r) const;
+  void add_overlap(Work& work, int one, int other, const Vec3& d) const;
+  void flush(Work& work) const;
+
+  ImagedSpheres spheres_;
+  double xi_, cutoff_;                  ///< of the Ewald sum; 0: all pairs in open space
+  std::optional<TensorTable> table_{};  ///< of forces without moments; nullopt: moments, or all pairs
+  std::optional<NearSearch> search_{};  ///< nullopt: all pairs
+  std::vector<int> order_;              ///< spheres and images in the order of the sum
+  std::vector<Vec3> places_;            ///< in this order, if all pairs are summed [length]
+  std::vector<double> radii_;           ///< in this order [length]
+};
+
+}  // namespace beadswim

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "beadswim/core/box.hpp"
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/mobility/ewald_plan.hpp"
+#include "beadswim/mobility/fluid_memory.hpp"
+#include "imaged_spheres.hpp"
+#include "memory_field.hpp"
+#include "mesh_transform.hpp"
+#include "mobility_kernels.hpp"
+#include "wall_reflection.hpp"
+
+// Far part of an Ewald sum for the velocities of beads, evaluated on a mesh ("spectral Ewald"). Each bead
+// acts on the mesh points near it, weighted by a Gaussian W around its centre (its window). The forces are
+// spread to the mesh with these weights, Fourier transformed, multiplied by the kernel K and transformed
+// back. The velocities of the beads are interpolated with the same weights.
+//
+//   u_i = h^3 sum_g W(x_i - g) u(g),   u = K * sum_j W(g - x_j) f_j,   K = far part / W^2
+//   W(x) = prod over axes of sqrt(2 xi^2/(pi share)) exp(-2 xi^2 x^2/share)
+//   Fourier transform of W:  exp(-share k^2/(8 xi^2))
+//
+//   u_i, f_j  velocity and force of the beads at x_i and x_j
+//   g, h      mesh point, mesh spacing [length];  *  convolution
+//   K         kernel; the quotient (far part)/W^2 is taken between Fourier transforms
+//   xi        splitting parameter (ewald_split.hpp) [1/length]
+//   share     part of the exponent of the far part's Gaussian that the windows apply, 0 to 1
+//
+// The far part contains the Gaussian exp(-k^2/(4 xi^2)). Spreading and interpolation apply W once each,
+// together the factor exp(-share k^2/(4 xi^2)). K contains the remaining factor. `share` is chosen such that
+// W decreases to exp(-m^2/2) of its maximum at the edge of the window (EwaldPlan::window_shape). In a
+// periodic box the Fourier transform of K is known in closed form. In open space K is smooth and is sampled
+// on a mesh of twice the size, where the periodic convolution equals the convolution in open space.
+//
+// If all beads have one radius a and only forces act, one field is transformed: the forces F, with D = a^2 F.
+// Otherwise a second field D is transformed: the forces times a_j^2, where a_j is the radius of the bead on
+// which the force acts. The velocity of bead i is then
+//
+//   u_i = (K F + L D) + a_i^2 (L F),     K: kernel of the Oseen tensor, L: kernel of its Laplacian/6
+//
+// With force moments, F is the source of a bead, and 6 c_l a^2 (force_moments.hpp) replaces a^2. Forces are
+// the source of order 0.
+//
+// With memory of the fluid, each class of sources has its own field, because its form factor matters at all
+// wavenumbers. F is the sum of all fields, D the sum of the fields times their 6 c_l a^2.
+//
+// Over the wall of a half-space, the flow is also needed at the mirror points of the beads, with its pressure
+// p. The mesh then contains these points too.
+//
+// References: Lindbo and Tornberg, J. Comput. Phys. 229, 8994 (2010); af Klinteberg, Shamshirgar and
+// Tornberg, Res. Math. Sci. 4, 1 (2017). Page: docs/method/mobility-product.md.
+
+namespace beadswim {
+
+class ParticleMesh {
+ public:
+  /// Sets up the mesh for the parameters `plan`. `memory`: of a fluid with inertia in a periodic box.
+  /// `half_space`: the mesh contains the mirror points of the beads. Collective.
+  ParticleMesh(const EwaldPlan& plan, const ImagedSpheres& spheres, const std::optional<FluidMemory>& memory,
+               const std::optional<HalfSpace>& half_space, const Communicator& communicator);
+
+  /// Sets the positions of all beads and images [length]. `receivers`: number of the beads without images. In
+  /// open space, fits the mesh to the positions. Collective.
+  void set_positions(std::span<const Vec3> positions, std::size_t receivers);
+
+  /// Adds the contribution of this rank to the flows of the far part at the receivers (force_moments.hpp).
+  /// The sum of the contributions of all ranks is the far part, including the self-interaction of each bead.
+  /// `sources`: of all beads and images, equal on all ranks. Collective.
+  void add_flows(std::span<const double> sources, FlowPart part, std::span<double> flows);
+
+  /// Adds the flows as add_flows() does, over the wall of a half-space. Adds also the contribution of this
+  /// rank to the flow at the mirror point of each bead to at_mirrors. Collective.
+  void add_flows_and_mirrors(std::span<const double> sources, std::span<double> flows,
+                             std::span<MirrorFlow> at_mirrors);
+
+  /// Spreads and transforms the sources, which MemoryField::start() or end_step() then uses. Collective.
+  void read_sources(std::span<const double> sources);
+  /// Returns the memory of the fluid; null for steady flow.
+  MemoryField* memory() const { return memory_.get(); }
+
+ private:
+  /// Beads, sorted by rows of the mesh for memory locality.
+  struct SortedBeads {
+    std::vector<int> order;    ///< index of each bead in the list of all beads
+    std::vector<Vec3> places;  ///< [length]
+
+    WindowBeads windows() const { return {std::ssize(places), places[0].data()}; }
+  };
+  SortedBeads sorted(std::span<const Vec3> positions) const;
+  bool is_periodic() const { return spheres_.lengths[0] > 0; }
+  void set_points(const std::array<int, 3>& points);
+  void fit_to(std::span<const Vec3> positions);
+  double share(int axis) const;
+  void set_memory(const FluidMemory& memory);
+  template <class Sample>
+  void for_each_displacement(const Sample& sample) const;
+  double open_scale() const;
+  void sample_kernel();
+  void sample_pressure_kernel();
+  void set_pressure();
+  double weight_of(std::size_t field, int bead, std::size_t derivative) const;
+  void gather(std::span<double> flows) const;
+  void multiply(FlowPart part);
+  std::vector<FieldFactors> field_factors() const;
+  void multiply_periodic();
+  void multiply_open();
+
+  EwaldPlan plan_;
+  ImagedSpheres spheres_;
+  std::optional<HalfSpace> half_space_;
+  const Communicator& communicator_;
+  std::size_t fields_ = 1;
+  std::optional<SourceClasses> classes_{};  ///< nullopt: F, or F and D
+  double shared_size_ = 0;  ///< a_i^2 + a_j^2, equal for all pairs if there is one field [length^2]
+  WindowMesh geometry_{};
+  std::array<double, 3> spacing_{};  ///< h [length]
+  std::unique_ptr<MeshTransform> transform_{};
+  std::vector<std::array<FftwArray, 3>> values_{};  ///< mesh values per field: forces, replaced by velocities
+  SortedBeads sources_, receivers_, mirrors_;       ///< all; without images; mirror points in a half-space
+  std::vector<std::vector<std::array<double, 6>>> kernel_{};  ///< open space: Fourier transforms of K and L
+  /// Over a wall: imaginary part of the Fourier transform of the kernel of p/eta, and mesh values of p/eta.
+  std::vector<std::array<double, 3>> pressure_kernel_{};
+  FftwArray pressure_{};
+  std::unique_ptr<MemoryField> memory_{};  ///< null: steady flow
+};
+
+}  // namespace beadswim

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "beadswim/mobility/rotne_prager_tensor.hpp"
+#include "imaged_spheres.hpp"
+#include "mobility_kernels.hpp"
+
+namespace beadswim {
+
+/// Returns the near part of the mobility tensor of two spheres of radii a_i and a_j at the distance r, which
+/// complements the mesh. For overlapping spheres it contains the difference between the tensor of overlapping
+/// spheres and the formula for spheres that do not overlap, which the mesh uses for all pairs. xi: splitting
+/// parameter; 0: returns the whole tensor.
+PairTensor near_part(double xi, double a_i, double a_j, double r, double viscosity);
+
+/// Table of near_part() for forces without moments.
+class TensorTable {
+ public:
+  /// Pairs closer than `min_distance`, a bead diameter, are evaluated without the table [length].
+  TensorTable(const ImagedSpheres& spheres, double xi, double cutoff, double min_distance);
+  TensorTable(const TensorTable&) = delete;
+  TensorTable& operator=(const TensorTable&) = delete;
+
+  bool contains(double squared_distance) const { return squared_distance > min_square_; }
+  bool has_one_radius() const { return table_.functions == 2; }
+  const PairTable& table() const { return table_; }
+
+ private:
+  double min_square_;
+  PairTable table_;
+  std::vector<double> coefficients_;
+};
+
+}  // namespace beadswim
