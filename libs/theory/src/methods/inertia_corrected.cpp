@@ -5,7 +5,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <optional>
 
 #include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/complex.hpp"
@@ -18,35 +17,6 @@
 namespace beadswim {
 
 namespace {
-
-/// The flow in unbounded fluid, and the same at a coarser resolution.
-struct OpenFlow {
-  UnsteadyMultipoles fine, coarse;
-};
-
-/// Returns the swimmer without springs and driving, of which the flow is independent.
-CollinearSwimmer three_beads(CollinearSwimmer swimmer) {
-  swimmer.stiffness = swimmer.damping = swimmer.amplitude = {};
-  swimmer.phase = swimmer.phase_offset = 0;
-  return swimmer;
-}
-
-const OpenFlow& flow_around(const CollinearSwimmer& beads, double fluid_density) {
-  struct Known {
-    CollinearSwimmer beads;
-    double fluid_density;
-    OpenFlow flow;
-  };
-  thread_local std::optional<Known> last;
-  if (!last || last->beads != beads || last->fluid_density != fluid_density) {
-    const MultipoleResolution resolution = sufficient_resolution(beads).value();
-    last = {beads,
-            fluid_density,
-            {.fine = unsteady_multipoles(beads, fluid_density, resolution),
-             .coarse = unsteady_multipoles(beads, fluid_density, coarser(resolution))}};
-  }
-  return last->flow;
-}
 
 /// Returns the shortest distance between the centre of a bead and of an image of a bead in the box [length].
 double nearest_image(const CollinearSwimmer& swimmer, const BoxPlace& place) {
@@ -116,18 +86,6 @@ ImageStress image_stress(const Question& question, const Eigen::Vector3d& towing
   const double open =
       reynolds_stress_velocity(reynolds_stress_form(swimmer, question.fluid_density, towing).total, force);
   return {.change = boxed - open, .uncertainty = mesh * std::abs(boxed)};
-}
-
-/// Returns exact_periodic_motion() of the swimmer. The result for the last swimmer is kept, because a plan
-/// asks for the same swimmer in many boxes.
-const PeriodicMotion& finite_motion(const CollinearSwimmer& swimmer) {
-  struct Known {
-    CollinearSwimmer swimmer;
-    PeriodicMotion motion;
-  };
-  thread_local std::optional<Known> last;
-  if (!last || last->swimmer != swimmer) last = {swimmer, exact_periodic_motion(swimmer)};
-  return last->motion;
 }
 
 /// Motion in the box, to second order in amplitude, with the changes of the velocity by the box
@@ -221,11 +179,16 @@ double sin_uncertainty(const Eigen::Vector2cd& y, double relative_error) {
 }  // namespace
 
 ExactInertia exact_inertia(const Question& question) {
-  const OpenFlow& flow = flow_around(three_beads(question.swimmer), question.fluid_density);
-  const ExactMotion motion = exact_motion(flow.fine, question.swimmer);
-  const MeanMotion fine = motion.mean, coarse = exact_motion(flow.coarse, question.swimmer).mean;
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const MultipoleResolution resolution = sufficient_resolution(swimmer).value();
+  const auto flow_at = [&](const MultipoleResolution& multipoles) {
+    return unsteady_multipoles(swimmer, question.fluid_density, multipoles);
+  };
+  const UnsteadyMultipoles flow = flow_at(resolution);
+  const ExactMotion motion = exact_motion(flow, swimmer);
+  const MeanMotion fine = motion.mean, coarse = exact_motion(flow_at(coarser(resolution)), swimmer).mean;
   constexpr double roundoff = 1e-12;  // drift and Reynolds stress may cancel
-  return {.flow = flow.fine,
+  return {.flow = flow,
           .motion = motion,
           .numerical_error = std::abs(coarse.by_drift - fine.by_drift) +
                              std::abs(coarse.by_reynolds_stress - fine.by_reynolds_stress) +
@@ -249,12 +212,12 @@ double amplitude_uncertainty(const Question& question, const ExactMotion& motion
 
 InertiaCorrected inertia_corrected(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  const ExactInertia exact = exact_inertia(question);
+  const ExactInertia exact = inertia_of(question);
   const ExactMotion& open = exact.motion;
   const BoxMotion boxed = question.box
                               ? box_motion(question, exact)
                               : BoxMotion{.arm = open.response.arm, .velocity = open.mean.velocity()};
-  const PeriodicMotion& finite = finite_motion(swimmer);
+  const PeriodicMotion finite = finite_motion(question);
   const SecondOrderMotion& small = question.exact->motion;
   const BoxUncertainty by_pairs = box_uncertainty(question);
 

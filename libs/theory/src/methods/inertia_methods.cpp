@@ -83,7 +83,7 @@ std::optional<std::string> inertia_corrected_obstacle(const Question& question) 
 
 Prediction predict_unsteady_multipole(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  const ExactInertia exact = exact_inertia(question);
+  const ExactInertia exact = inertia_of(question);
   const auto& [response, motion] = exact.motion;
 
   Prediction prediction;

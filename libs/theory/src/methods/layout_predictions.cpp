@@ -165,6 +165,8 @@ void predict_line(const CollinearSwimmer& line, const Layout& layout, const Swim
                                             .units = units});
   if (request.measured)
     question.measured_stroke = stroke_for(layout, question.swimmer, *request.measured, units);
+  if (request.methods == std::vector<std::string>{all_methods})
+    question = with_open_space_motion(std::move(question));
   predict_by(request.methods, question, predicted);
   check_stroke_is_used(predicted, question);
   predicted.warnings = warnings(question, request.tolerance);

@@ -50,15 +50,8 @@ Prediction predict_unsteady_response(const Question& question);
 Prediction predict_unsteady_multipole(const Question& question);
 Prediction predict_inertia_corrected(const Question& question);
 
-/// Exact motion with inertia in unbounded fluid, and the flow from which it follows.
-struct ExactInertia {
-  UnsteadyMultipoles flow;
-  ExactMotion motion;
-  double numerical_error = 0;  ///< change of the velocity from a coarser resolution [length/time]
-};
-
-/// Returns the exact motion of the swimmer. Keeps the last flow, because plans and sweeps ask for one flow in
-/// many boxes and with many drivings. Requires that unsteady_multipole_obstacle() returns nullopt.
+/// Returns the exact motion of the swimmer with inertia. Requires that unsteady_multipole_obstacle() returns
+/// nullopt.
 ExactInertia exact_inertia(const Question& question);
 
 /// Returns the uncertainty of the velocity of a motion with inertia because the amplitude is finite
@@ -73,5 +66,13 @@ double min_exact_gap(const CollinearSwimmer& swimmer);
 
 /// Returns the periodic motion with exact mobilities in open space. Throws the errors of periodic_motion().
 PeriodicMotion exact_periodic_motion(const CollinearSwimmer& swimmer);
+
+// Return the results in `question` (with_open_space_motion()), or compute them.
+inline ExactInertia inertia_of(const Question& question) {
+  return question.inertia ? *question.inertia : exact_inertia(question);
+}
+inline PeriodicMotion finite_motion(const Question& question) {
+  return question.finite ? *question.finite : exact_periodic_motion(question.swimmer);
+}
 
 }  // namespace beadswim

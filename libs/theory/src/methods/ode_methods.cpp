@@ -64,7 +64,7 @@ PeriodicMotion exact_periodic_motion(const CollinearSwimmer& swimmer) {
 
 Prediction predict_multipole_ode(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  const PeriodicMotion motion = exact_periodic_motion(swimmer);
+  const PeriodicMotion motion = finite_motion(question);
   Prediction prediction = make_prediction(question, motion);
   constexpr double series_error = 1e-8;        // of multipole series and harmonic balance
   constexpr double velocity_roundoff = 1e-12;  // relative to the speed of the arms

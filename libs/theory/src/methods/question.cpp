@@ -7,9 +7,11 @@
 #include "beadswim/collinear/multipole_mobility.hpp"
 #include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/theory/finite_amplitude.hpp"
 #include "confidence.hpp"
+#include "method_rows.hpp"
 
 namespace beadswim {
 
@@ -45,6 +47,14 @@ CollinearMobility exact_mobility(const CollinearSwimmer& swimmer, const LinePosi
 
 Question with_exact_reference(Question question) {
   question.exact = exact_stokes(question.swimmer);
+  return question;
+}
+
+Question with_open_space_motion(Question question) {
+  reason_against([&] {
+    if (!unsteady_multipole_obstacle(question)) question.inertia = exact_inertia(question);
+  });
+  reason_against([&] { question.finite = exact_periodic_motion(question.swimmer); });
   return question;
 }
 

@@ -8,9 +8,11 @@
 #include "beadswim/core/box.hpp"
 #include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
+#include "beadswim/theory/periodic_motion.hpp"
 #include "beadswim/theory/perturbation.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
 #include "beadswim/theory/stroke.hpp"
+#include "beadswim/theory/unsteady_multipole.hpp"
 
 namespace beadswim {
 
@@ -26,6 +28,13 @@ struct ExactStokes {
   CollinearMobility mobility;   ///< mobility of the beads at rest
   SecondOrderMotion motion;     ///< motion to second order in the driving amplitude
   double amplitude_change = 0;  ///< estimated relative change of the swimmer's velocity at finite amplitude
+};
+
+/// Exact motion with inertia in unbounded fluid, and the flow from which it follows.
+struct ExactInertia {
+  UnsteadyMultipoles flow;
+  ExactMotion motion;
+  double numerical_error = 0;  ///< change of the velocity from a coarser resolution [length/time]
 };
 
 /// Input of methods that treat swimmers of any shape, alone in open space.
@@ -44,6 +53,9 @@ struct Question {
   std::string box_obstacle{};     ///< reason why methods for boxes are not applicable; empty if none
   std::optional<Stroke> measured_stroke{};
   std::optional<ExactStokes> exact{};  ///< set by with_exact_reference(); nullopt if not available
+  /// Motion in open space with inertia, and at finite amplitude without; set by with_open_space_motion().
+  std::optional<ExactInertia> inertia{};
+  std::optional<PeriodicMotion> finite{};
   UnitScales units{};                ///< of the question, in the units of the layout, for texts
 };
 
@@ -55,6 +67,11 @@ CollinearMobility exact_mobility(const CollinearSwimmer& swimmer, const LinePosi
 /// Returns the question with `exact` set to the motion in exact Stokes flow. `exact` stays nullopt if beads
 /// touch or nearly touch, because the multipole series would then need too many terms.
 Question with_exact_reference(Question question);
+
+/// Returns the question with `inertia` and `finite` set, for questions that differ only in their boxes and
+/// for several methods. Each stays nullopt if it cannot be computed; methods that need it then throw the
+/// reason.
+Question with_open_space_motion(Question question);
 
 /// Returns warnings that concern all methods. They report beads that touch during the stroke, and driving so
 /// strong that the relative error of second-order methods exceeds `tolerance`.
