@@ -116,7 +116,7 @@ refuses 'swarm_run.json: the run record contains only statistics of the swarm, .
   beadswim-theory --stroke-from swarm_run.json paper.json
 cat paper.json paper.json >two.json
 refuses 'two.json: line [0-9]+, column 1: a second JSON document begins.*write one document per line' beadswim-theory two.json
-refuses 'does not list swimmer 7' beadswim-theory --swimmer 7 --stroke-from run.json alike.json
+refuses 'run.json: the run record contains no swimmer with the id 7; the ids in the record are 0$' beadswim-theory --swimmer 7 --stroke-from run.json alike.json
 refuses 'paper.json.*the document is a layout \(beadswim-layout\); give a run record' beadswim-theory --stroke-from paper.json paper.json
 jq '.swimmers[0].cycles = []' run.json >no_cycle.json
 refuses 'has not finished a cycle' beadswim-theory --stroke-from no_cycle.json paper.json

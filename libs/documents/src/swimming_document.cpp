@@ -44,24 +44,6 @@ RunRecord with_swimmers(RunRecord record, const std::string& source) {
   return record;
 }
 
-const SwimmerRecord& swimmer_with_stroke(const RunRecord& run, std::optional<int> id,
-                                         const std::string& where) {
-  const auto is_requested = [&](const SwimmerRecord& swimmer) { return !id || swimmer.id == *id; };
-  const auto found = std::ranges::find_if(run.swimmers, is_requested);
-  if (found != run.swimmers.end()) return *found;
-  if (run.swimmers.empty())
-    throw InputError(
-        where,
-        fmt::format("the run record contains only statistics of the swarm, because the run has more than {} "
-                    "swimmers; run a smaller cell of the scene (beadswim-layout reduce)",
-                    max_swimmers_listed));
-  throw InputError(
-      where,
-      fmt::format(
-          "the run record does not list swimmer {}, but only {} other swimmers; give a swimmer of the record",
-          *id, run.swimmers.size()));
-}
-
 }  // namespace
 
 std::string source_name(const std::string& path) {
@@ -135,18 +117,24 @@ MotionScale motion_scale_of(const RunRecord& run, const SwimmerRecord& swimmer, 
   return scale;
 }
 
-const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::string& source) {
-  const auto found = std::find_if(run.swimmers.begin(), run.swimmers.end(),
-                                  [id](const SwimmerRecord& swimmer) { return swimmer.id == id; });
+const SwimmerRecord& find_swimmer(const RunRecord& run, std::optional<int> id, const std::string& source) {
+  const auto is_requested = [&](const SwimmerRecord& swimmer) { return !id || swimmer.id == *id; };
+  const auto found = std::ranges::find_if(run.swimmers, is_requested);
   if (found != run.swimmers.end()) return *found;
+  if (run.swimmers.empty())
+    throw InputError(
+        source,
+        fmt::format("the run record contains only statistics of the swarm, because the run has more than {} "
+                    "swimmers; run a smaller cell of the scene (beadswim-layout reduce)",
+                    max_swimmers_listed));
   throw InputError(
       source, fmt::format("the run record contains no swimmer with the id {}; the ids in the record are {}",
-                          id, joined(swimmers_of(run), ", ")));
+                          *id, joined(swimmers_of(run), ", ")));
 }
 
 MeasuredStroke measured_stroke(const RunRecord& run, std::optional<int> swimmer, const std::string& source) {
   const std::string where = fmt::format("{} {}", Setting::stroke_record, source);
-  const SwimmerRecord& record = swimmer_with_stroke(run, swimmer, where);
+  const SwimmerRecord& record = find_swimmer(run, swimmer, where);
   if (record.cycles.empty())
     throw InputError(where,
                      fmt::format("swimmer {} has not finished a cycle; run at least one cycle", record.id));

@@ -69,9 +69,9 @@ MotionScale motion_scale_of(const RunRecord& run, const SwimmerRecord& swimmer, 
 /// the swimmer has not completed a cycle or has not two arms.
 MeasuredStroke measured_stroke(const RunRecord& run, std::optional<int> swimmer, const std::string& source);
 
-/// Returns the record of the swimmer with this id. Throws InputError if the run has no such swimmer; the
-/// message lists the ids of the run.
-const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::string& source);
+/// Returns the record of the swimmer with this id; nullopt: of the first swimmer. Throws InputError if the
+/// record has no such swimmer; the message lists the ids of the record.
+const SwimmerRecord& find_swimmer(const RunRecord& run, std::optional<int> id, const std::string& source);
 
 /// Returns the differences between the scenes of a run and its reference, which must have the same units. If
 /// one of the documents contains no scene, compares the properties that both state: a run record states
