@@ -74,7 +74,7 @@ check "the gap stays open" holds '.mobility.smallest_gap | . > 0 and . < 0.8' ou
 beadswim-layout swimmer --preset paper-single --unbounded --amplitude 3 >torn.json
 run small 2 torn.json --model rpy -o torn.h5md --steps-per-cycle 200
 has_status 3
-err_has 'arm . of swimmer 0 .* is torn: its length is .* times the rest length, above the limit of 2'
+err_has 'the arm from bead . of swimmer 0 at .* to bead . is torn: its length is .* times the rest length, above the limit of 2'
 check "the record reaches up to it" holds '.status == "failed" and .state_sha256 == null' out
 
 # --- what the model cannot do

@@ -217,7 +217,7 @@ TEST(OverdampedSwarm, StopsAtATornArm) {
   OverdampedSystem system(scene, world);
   for (int n = 0; n < 400 && !system.fault(); ++n) system.step();
   ASSERT_TRUE(system.fault());
-  EXPECT_EQ(system.fault()->kind, OverdampedFaultKind::torn_arm);
+  EXPECT_EQ(system.fault()->kind, FaultKind::torn_arm);
   const Vec3 stopped = system.positions()[0];
   system.step();
   EXPECT_EQ(system.positions()[0], stopped);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "beadswim/core/cell_list.hpp"
+#include "beadswim/core/close_pairs.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 
 namespace beadswim {
@@ -59,26 +59,16 @@ std::vector<Contact> find_contacts(const ContactScale& scale, const Domain& doma
   const auto add_mirror_image = [&](int bead, double height, const Vec3& inward) {
     add(bead, bead, false, inward, 2 * (height - radii[bead]), scale.cutoff_per_radius * radii[bead]);
   };
-  // The lengths are doubled along axes with walls, so that no pair is found across a wall.
-  const Vec3 lengths = mirrored_lengths(box);
-  const CellList cells(positions, (2 + scale.cutoff_per_radius) * scale.largest_radius, lengths);
-  const std::vector<int>& order = cells.order();
-  for (int s = 0; s < std::ssize(order); ++s) {
-    const int i = order[s];
-    cells.for_each_range_after(s, [&](int begin, int end) {
-      for (int t = begin; t < end; ++t) {
-        const int j = order[t];
-        const Vec3 direct = positions[i] - positions[j];
-        Vec3 d = direct;
-        if (box)
-          for (int a = 0; a < 3; ++a) d[a] -= lengths[a] * std::nearbyint(d[a] / lengths[a]);
-        const bool is_own = d == direct && scale.swimmer[i] == scale.swimmer[j];
-        const double distance = d.norm(), touching = radii[i] + radii[j];
-        const double per_radius = is_own ? scale.own_cutoff_per_radius[i] : scale.cutoff_per_radius;
-        const Vec3 normal = distance > 0 ? Vec3(d / distance) : Vec3::UnitX();
-        add(i, j, is_own, normal, distance - touching, per_radius * touching / 2);
-      }
-    });
+  const double cutoff = (2 + scale.cutoff_per_radius) * scale.largest_radius;
+  visit_close_pairs(positions, cutoff, box, [&](int i, int j, const Vec3& d) {
+    const bool is_own = d == positions[i] - positions[j] && scale.swimmer[i] == scale.swimmer[j];
+    const double distance = d.norm(), touching = radii[i] + radii[j];
+    const double per_radius = is_own ? scale.own_cutoff_per_radius[i] : scale.cutoff_per_radius;
+    const Vec3 normal = distance > 0 ? Vec3(d / distance) : Vec3::UnitX();
+    add(i, j, is_own, normal, distance - touching, per_radius * touching / 2);
+    return true;
+  });
+  for (int i = 0; i < std::ssize(positions); ++i) {
     if (const auto& half_space = domain.half_space)
       add_mirror_image(i, half_space->height(positions[i]), Vec3::Unit(half_space->axis));
     for (int a = 0; a < 3 && box; ++a) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bead_vectors.hpp"
-#include "beadswim/core/cell_list.hpp"
+#include "beadswim/core/close_pairs.hpp"
 #include "beadswim/core/dense_systems.hpp"
 
 namespace beadswim {
@@ -13,16 +13,14 @@ namespace beadswim {
 bool has_close_spheres(std::span<const Vec3> positions, std::span<const double> radii,
                        const std::optional<Box>& box, const std::optional<HalfSpace>& half_space) {
   constexpr double near = 2;  // distance of centres, divided by the sum of the radii; height, by the radius
-  const CellList cells(positions, 2 * near * std::ranges::max(radii), box ? box->lengths : Vec3::Zero());
-  for (std::size_t b = 0; b < positions.size(); ++b) {
-    if (half_space && half_space->height(positions[b]) < near * radii[b]) return true;
-    const bool is_apart = cells.visit_neighbours(positions[b], [&](std::size_t other) {
-      return other == b || nearest_separation(positions[b], positions[other], box).norm() >=
-                               near * (radii[b] + radii[other]);
-    });
-    if (!is_apart) return true;
-  }
-  return false;
+  bool is_close = false;
+  for (std::size_t b = 0; b < positions.size() && half_space; ++b)
+    is_close = is_close || half_space->height(positions[b]) < near * radii[b];
+  visit_close_pairs(positions, 2 * near * std::ranges::max(radii), box, [&](int i, int j, const Vec3& d) {
+    is_close = is_close || d.norm() < near * (radii[i] + radii[j]);
+    return !is_close;
+  });
+  return is_close;
 }
 
 std::optional<std::size_t> find_reversed_bead(Mobility& mobility, std::span<const Vec3> positions,

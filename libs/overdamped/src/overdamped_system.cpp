@@ -76,7 +76,7 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
                      fmt::format("the mobility of oseen is not positive definite at rest: forces would move "
                                  "beads backwards, most of all bead {} of swimmer {}, because beads are too "
                                  "close to each other or to a wall; use {} rpy",
-                                 fault->bead, fault->swimmer, Setting::model));
+                                 fault->bead.bead + 1, fault->bead.swimmer, Setting::model));
   solve_initial_velocities();
 }
 
@@ -244,8 +244,7 @@ void OverdampedSystem::accept(ImplicitStepResult step) {
   update_extremes();
   check_faults();
   if (!fault_ && must_check_mobility()) fault_ = mobility_fault();
-  if (!is_converged_ && !fault_)
-    fault_ = {.kind = OverdampedFaultKind::not_converged, .step = state_.steps_done};
+  if (!is_converged_ && !fault_) fault_ = {.kind = FaultKind::not_converged, .step = state_.steps_done};
 }
 
 void OverdampedSystem::step() {
@@ -277,7 +276,7 @@ bool OverdampedSystem::must_check_mobility() const {
 }
 
 /// Returns the fault of a mobility that is not positive definite.
-std::optional<OverdampedFault> OverdampedSystem::mobility_fault() {
+std::optional<Fault> OverdampedSystem::mobility_fault() {
   if (lowest_mode_.size() == 0) return std::nullopt;
   checked_steps_ = state_.steps_done;
   checked_gap_ = state_.smallest_gap / *std::ranges::min_element(radii_);
@@ -290,51 +289,46 @@ std::optional<OverdampedFault> OverdampedSystem::mobility_fault() {
   if (!bead) return std::nullopt;
   const std::vector<BeadRange> ranges = bead_ranges(scene_);
   const auto owner = std::ranges::upper_bound(ranges, *bead, {}, &BeadRange::first) - 1;
-  return OverdampedFault{.kind = OverdampedFaultKind::not_positive,
-                         .step = state_.steps_done,
-                         .swimmer = scene_.swimmers[owner - ranges.begin()].id,
-                         .bead = static_cast<int>(*bead - owner->first) + 1,
-                         .position = positions()[*bead]};
+  return Fault{.kind = FaultKind::not_positive,
+               .step = state_.steps_done,
+               .bead = {.swimmer = scene_.swimmers[owner - ranges.begin()].id,
+                        .bead = static_cast<int>(*bead - owner->first)},
+               .position = positions()[*bead]};
 }
 
 /// Records the first fault in this step, if there is one. Each rank stores all beads, so that all ranks find
 /// the same fault.
 void OverdampedSystem::check_faults() {
   const auto& [now, before, earlier] = state_.positions;
-  const auto record_fault = [&, &before = before](OverdampedFaultKind kind, const PlacedSwimmer& swimmer,
-                                                  std::size_t bead, int number, double value) {
-    if (!fault_)
-      fault_ = {.kind = kind,
-                .step = state_.steps_done,
-                .swimmer = swimmer.id,
-                .bead = number,
-                .position = before[bead],
-                .value = value};
-  };
-  std::size_t first = 0;  // bead of the swimmer
-  for (const PlacedSwimmer& swimmer : scene_.swimmers) {
-    const SwimmerType& type = scene_.type_of(swimmer);
-    for (std::size_t b = first; b < first + type.beads.size(); ++b) {
+  const std::vector<BeadRange> ranges = bead_ranges(scene_);
+  for (std::size_t s = 0; s < ranges.size(); ++s) {
+    const SwimmerType& type = scene_.type_of(scene_.swimmers[s]);
+    const int id = scene_.swimmers[s].id;
+    const std::size_t first = ranges[s].first;
+    for (std::size_t b = first; b < ranges[s].last; ++b) {
+      const auto record = [&, &before = before](FaultKind kind, double value) {
+        keep_first(fault_, {.kind = kind,
+                            .step = state_.steps_done,
+                            .bead = {id, static_cast<int>(b - first)},
+                            .position = before[b],
+                            .value = value});
+      };
       const Vec3 drift = scene_.step * scene_.flow.at(before[b]);
       const double moved = (now[b] - before[b] - drift).norm() / radii_[b];
-      const int number = static_cast<int>(b - first) + 1;
-      if (!std::isfinite(moved)) record_fault(OverdampedFaultKind::not_finite, swimmer, b, number, moved);
-      if (moved > 1) record_fault(OverdampedFaultKind::speed, swimmer, b, number, moved);
+      if (!std::isfinite(moved)) record(FaultKind::not_finite, moved);
+      if (moved > 1) record(FaultKind::displacement, moved);
       if (const double into = scene_.half_space ? radii_[b] - scene_.half_space->height(now[b]) : 0; into > 0)
-        record_fault(OverdampedFaultKind::no_slip_wall, swimmer, b, number, into / radii_[b]);
+        record(FaultKind::in_wall, into / radii_[b]);
       for (int a = 0; a < 3 && scene_.box; ++a) {
         const double beyond = std::max(-now[b][a], now[b][a] - scene_.box->lengths[a]);
-        if (scene_.box->has_mirrors(a) && beyond > 0)
-          record_fault(OverdampedFaultKind::wall, swimmer, b, number, beyond);
+        if (scene_.box->has_mirrors(a) && beyond > 0) record(FaultKind::beyond_wall, beyond);
       }
     }
-    for (std::size_t k = 0; k < type.bonds.size(); ++k) {
-      const auto [i, j] = type.bonds[k].beads;
-      const double length = (now[first + j] - now[first + i]).norm() / type.bonds[k].rest_length;
-      if (length > max_stretch)
-        record_fault(OverdampedFaultKind::torn_arm, swimmer, first + i, static_cast<int>(k) + 1, length);
-    }
-    first += type.beads.size();
+    auto torn = torn_arm(type, id, [&, &now = now](int b) { return now[first + b]; });
+    if (!torn) continue;
+    torn->step = state_.steps_done;
+    torn->position = before[first + torn->bead.bead];
+    keep_first(fault_, *torn);
   }
 }
 

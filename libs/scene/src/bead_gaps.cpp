@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "beadswim/core/cell_list.hpp"
+#include "beadswim/core/close_pairs.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
@@ -12,6 +12,19 @@ namespace {
 
 double surface_gap(const std::vector<PlacedBead>& beads, const BeadPair& pair) {
   return pair.distance - beads[pair.first].radius - beads[pair.second].radius;
+}
+
+std::vector<Vec3> centres_of(const std::vector<PlacedBead>& beads) {
+  std::vector<Vec3> centres;
+  for (const PlacedBead& bead : beads) centres.push_back(bead.centre);
+  return centres;
+}
+
+/// Returns the largest distance of the centres of two beads whose surfaces are within `max_gap`.
+double cutoff_for(const std::vector<PlacedBead>& beads, double max_gap) {
+  double radius = 0;
+  for (const PlacedBead& bead : beads) radius = std::max(radius, bead.radius);
+  return 2 * radius + max_gap;
 }
 
 /// Returns the pairs of each bead with its own nearest image, one per periodic axis.
@@ -55,45 +68,29 @@ std::vector<PlacedBead> placed_beads(const Layout& layout) {
 }
 
 CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double max_gap) {
-  std::vector<Vec3> centres;
-  double radius = 0;
-  for (const PlacedBead& bead : beads) {
-    centres.push_back(bead.centre);
-    radius = std::max(radius, bead.radius);
-  }
-  return CellList(centres, 2 * radius + max_gap, domain ? domain->lengths : Vec3::Zero());
+  return CellList(centres_of(beads), cutoff_for(beads, max_gap), domain ? domain->lengths : Vec3::Zero());
 }
 
-void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double max_gap,
-                       const std::function<bool(const BeadPair&)>& visit) {
-  if (beads.empty()) return;
-  const CellList cells = bead_cells(beads, domain, max_gap);
-  std::vector<std::size_t> near;
-  for (std::size_t i = 0; i < beads.size(); ++i) {
-    near.clear();
-    cells.visit_neighbours(beads[i].centre, [&](std::size_t j) {
-      if (j < i) near.push_back(j);
-      return true;
-    });
-    std::ranges::sort(near);
-    for (const std::size_t j : near) {
-      const double distance = nearest_separation(beads[i].centre, beads[j].centre, domain).norm();
-      if (!visit({.first = i, .second = j, .distance = distance})) return;
-    }
-  }
+std::vector<BeadPair> close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain,
+                                  double max_gap, std::size_t max_pairs) {
+  std::vector<BeadPair> pairs;
+  visit_close_pairs(centres_of(beads), cutoff_for(beads, max_gap), domain,
+                    [&](std::size_t i, std::size_t j, const Vec3& d) {
+                      const BeadPair pair{
+                          .first = std::max(i, j), .second = std::min(i, j), .distance = d.norm()};
+                      if (surface_gap(beads, pair) <= max_gap) pairs.push_back(pair);
+                      return pairs.size() < max_pairs;
+                    });
+  std::ranges::sort(pairs, {}, [](const BeadPair& pair) { return std::pair(pair.first, pair.second); });
+  return pairs;
 }
 
 std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
                                         const std::optional<Box>& domain, std::size_t max_pairs) {
-  std::vector<BeadPair> found;
-  const auto keep_overlap = [&](const BeadPair& pair) {
-    if (surface_gap(beads, pair) <= 0) found.push_back(pair);
-    return found.size() < max_pairs;
-  };
-  for (const BeadPair& pair : own_image_pairs(beads, domain)) {
-    if (!keep_overlap(pair)) return found;
-  }
-  visit_close_pairs(beads, domain, 0, keep_overlap);
+  std::vector<BeadPair> found = own_image_pairs(beads, domain);
+  std::erase_if(found, [&](const BeadPair& pair) { return surface_gap(beads, pair) > 0; });
+  std::ranges::move(close_pairs(beads, domain, 0, max_pairs), std::back_inserter(found));
+  if (found.size() > max_pairs) found.resize(max_pairs);
   return found;
 }
 
@@ -106,10 +103,8 @@ double smallest_gap(const std::vector<PlacedBead>& beads, const Domain& domain) 
         .first = i, .second = i - 1, .distance = (beads[i].centre - beads[i - 1].centre).norm()};
     gap = std::min(gap, surface_gap(beads, pair));
   }
-  visit_close_pairs(beads, domain.box, gap, [&](const BeadPair& pair) {
+  for (const BeadPair& pair : close_pairs(beads, domain.box, gap))
     gap = std::min(gap, surface_gap(beads, pair));
-    return true;
-  });
   return gap;
 }
 

@@ -333,17 +333,16 @@ void repair_overlaps(Layout& layout) {
     const std::vector<PlacedBead> beads = placed_beads(layout);
     std::vector<Push> pushes(layout.swimmers.size());
     bool any = false;
-    visit_close_pairs(beads, layout.domain.box, clearance, [&](const BeadPair& pair) {
+    for (const BeadPair& pair : close_pairs(beads, layout.domain.box, clearance)) {
       const PlacedBead &one = beads[pair.first], &other = beads[pair.second];
       const double missing_gap = one.radius + other.radius + clearance - pair.distance;
-      if (one.swimmer == other.swimmer || missing_gap <= tolerance) return true;
+      if (one.swimmer == other.swimmer || missing_gap <= tolerance) continue;
       any = true;
       const Vec3 separation = nearest_separation(one.centre, other.centre, layout.domain.box);
       const Vec3 away = pair.distance > 0 ? Vec3(separation / pair.distance) : Vec3(Vec3::UnitZ());
       pushes[one.swimmer].add_bead_push(-0.5 * missing_gap * away);
       pushes[other.swimmer].add_bead_push(0.5 * missing_gap * away);
-      return true;
-    });
+    }
     for (const PlacedBead& bead : beads) {
       if (const auto& half_space = layout.domain.half_space) {
         const double upward = bead.radius + clearance - half_space->height(bead.centre);

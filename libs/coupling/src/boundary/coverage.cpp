@@ -1,8 +1,9 @@
 #include "beadswim/coupling/coverage.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "beadswim/core/close_pairs.hpp"
 
 namespace beadswim {
 namespace {
@@ -25,17 +26,20 @@ CoveredRun covered_run(const CoveredImage& covered, int y, int z) {
 
 std::vector<ImagePair> find_close_pairs(const std::vector<CoveredImage>& images) {
   constexpr int distance = CoveredImages::close;
-  std::vector<ImagePair> pairs;
-  std::vector<int> by_z(images.size());
-  std::iota(by_z.begin(), by_z.end(), 0);
-  const auto low_z = [&](int i) { return images[i].image.low[2]; };
-  std::ranges::sort(by_z, {}, low_z);
-  for (auto a = by_z.begin(); a != by_z.end(); ++a) {
-    for (auto b = a + 1; b != by_z.end() && low_z(*b) < images[*a].image.high[2] + distance; ++b) {
-      if (are_close(images[*a].image, images[*b].image, distance))
-        pairs.push_back({std::min(*a, *b), std::max(*a, *b)});
-    }
+  std::vector<Vec3> centres;  // in local coordinates of the block
+  double radius = 0;
+  for (const CoveredImage& covered : images) {
+    centres.push_back(covered.centre - covered.image.shift.cast<double>().matrix());
+    radius = std::max(radius, covered.radius);
   }
+  std::vector<ImagePair> pairs;
+  visit_close_pairs(centres, 2 * radius + distance + 1, std::nullopt, [&](int a, int b, const Vec3&) {
+    if (are_close(images[a].image, images[b].image, distance))
+      pairs.push_back({std::min(a, b), std::max(a, b)});
+    return true;
+  });
+  // The order of the cells differs between blocks, and three beads that overlap are divided in order.
+  std::ranges::sort(pairs, {}, [](const ImagePair& pair) { return std::pair(pair.first, pair.second); });
   return pairs;
 }
 

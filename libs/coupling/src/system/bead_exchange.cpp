@@ -89,18 +89,8 @@ int BeadExchange::owner_of(const Vec3& position) const {
 }
 
 std::optional<Fault> BeadExchange::position_fault(const SwimmerState& swimmer) const {
-  const SwimmerType& type = types_[swimmer.type];
-  for (const Bond& bond : type.bonds) {
-    const auto [i, j] = bond.beads;
-    const double stretch =
-        (swimmer.motion[j].position - swimmer.motion[i].position).norm() / bond.rest_length;
-    if (stretch <= max_stretch) continue;
-    return Fault{.kind = FaultKind::torn_arm,
-                 .bead = {swimmer.id, i},
-                 .other = {swimmer.id, j},
-                 .position = swimmer.motion[i].position,
-                 .value = stretch};
-  }
+  const auto position = [&](int b) { return swimmer.motion[b].position; };
+  if (auto fault = torn_arm(types_[swimmer.type], swimmer.id, position)) return fault;
   for (int b = 0; b < std::ssize(swimmer.motion); ++b) {
     const Vec3& place = swimmer.motion[b].position;
     const auto gap_to = [&](int axis, int low, int high) {

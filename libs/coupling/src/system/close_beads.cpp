@@ -27,6 +27,18 @@ void add_close_impulse(BeadOnLattice& bead, const Vec3& linear, const Vec3& angu
   bead.impulse.removed_fraction.add(removed_fraction);
 }
 
+/// Returns a fault if the overlap of two beads exceeds max_overlap times the radius of the smaller bead.
+/// `gap` is negative if the beads overlap [cell]. Fault::step is not set.
+std::optional<Fault> overlap_of(const BeadOnLattice& first, const BeadOnLattice& second, double gap) {
+  const double smaller_radius = std::min(first.body.radius, second.body.radius);
+  if (-gap <= max_overlap * smaller_radius) return std::nullopt;
+  return Fault{.kind = FaultKind::overlap,
+               .bead = first.name,
+               .other = second.name,
+               .position = first.motion.position,
+               .value = -gap / smaller_radius};
+}
+
 /// Returns true if a point, in the unwrapped coordinates of an image, lies in the block.
 bool is_own(const Coverage& coverage, const BeadImage& image, const Vec3& point) {
   const Index3 cell = point.array().floor().cast<int>() - image.shift;
@@ -34,16 +46,6 @@ bool is_own(const Coverage& coverage, const BeadImage& image, const Vec3& point)
 }
 
 }  // namespace
-
-std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, const Vec3& position, double gap,
-                                double smaller_radius) {
-  if (-gap <= max_overlap * smaller_radius) return std::nullopt;
-  return Fault{.kind = FaultKind::overlap,
-               .bead = bead,
-               .other = other,
-               .position = position,
-               .value = -gap / smaller_radius};
-}
 
 LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius) {
   constexpr double roughness = 1e-3;  // height of the roughness, divided by the smallest radius
@@ -82,7 +84,6 @@ CloseBeads add_contact_impulses(const NearContactLaw& law, const Coverage& cover
     BeadOnLattice &first = beads[a.bead], &second = beads[b.bead];
     // The shift between images is an integer, so that every block gets the same bits.
     const Vec3 between = (a.image.shift - b.image.shift).cast<double>().matrix();
-    if (first.name.swimmer == second.name.swimmer && between == Vec3::Zero()) continue;
     const Vec3 separation = second.motion.position - first.motion.position + between;
     const double distance = separation.norm();
     const double gap = distance - first.body.radius - second.body.radius;
@@ -91,10 +92,12 @@ CloseBeads add_contact_impulses(const NearContactLaw& law, const Coverage& cover
     if (!is_own(coverage, a.image, first.motion.position + to_middle * separation)) continue;
 
     found.smallest_gap = std::min(found.smallest_gap, gap);
-    const auto overlap = overlap_of(first.name, second.name, first.motion.position, gap,
-                                    std::min(first.body.radius, second.body.radius));
-    if (overlap && (!found.overlap || comes_before(*overlap, *found.overlap))) found.overlap = overlap;
-    if (overlap) continue;  // the fault stops the run
+    const auto overlap = overlap_of(first, second, gap);
+    if (overlap) {  // the fault stops the run
+      keep_first(found.overlap, *overlap);
+      continue;
+    }
+    if (first.name.swimmer == second.name.swimmer && between == Vec3::Zero()) continue;
     const PairImpulse impulse =
         near_contact_impulse(law, close_bead(first), close_bead(second), separation, 1);
     add_close_impulse(first, -impulse.linear, impulse.first_angular, impulse.removed_fraction);

@@ -79,24 +79,12 @@ std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
                  .position = motion.position,
                  .value = speed};
   }
-  if (const auto fault = exchange_.position_fault(swimmer)) return fault;
-  for (int i = 0; i < beads; ++i) {
-    const Vec3& place = swimmer.motion[i].position;
-    for (int j = i + 1; j < beads; ++j) {
-      const double gap = (swimmer.motion[j].position - place).norm() - bodies[i].radius - bodies[j].radius;
-      if (!fault_ && gap < near_contact_.cutoff())
-        progress_.smallest_gap = std::min(progress_.smallest_gap, gap);
-      if (const auto fault = overlap_of({swimmer.id, i}, {swimmer.id, j}, place, gap,
-                                        std::min(bodies[i].radius, bodies[j].radius)))
-        return fault;
-    }
-  }
-  return std::nullopt;
+  return exchange_.position_fault(swimmer);
 }
 
 void CoupledSystem::record_fault(Fault fault) {
   fault.step = progress_.steps_done;
-  if (!fault_ || comes_before(fault, *fault_)) fault_ = fault;
+  keep_first(fault_, fault);
 }
 
 double CoupledSystem::smallest_gap() const {

@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 #include <vector>
 
 #include "beadswim/core/message.hpp"
 
 namespace beadswim {
-
-bool comes_before(const Fault& a, const Fault& b) {
-  const auto rank = [](const Fault& f) { return std::tuple(f.step, f.kind, f.bead, f.other, -f.value); };
-  return rank(a) < rank(b);
-}
 
 std::optional<Fault> first_fault(const std::optional<Fault>& own, const Communicator& communicator) {
   constexpr long never = std::numeric_limits<long>::max();

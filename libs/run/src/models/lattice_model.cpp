@@ -151,9 +151,7 @@ class LatticeModel : public Model {
       if (fault) fault->step = steps_done();
     }
     if (!fault) return std::nullopt;
-    return ModelFault{
-        .status = fault->kind == FaultKind::speed ? RunStatus::stopped_speed : RunStatus::failed,
-        .message = fault_message(*fault, on_lattice_, largest_mach())};
+    return model_fault(*fault, faulty_run(*fault, on_lattice_, largest_mach()));
   }
 
   void write_flow() override {

@@ -4,18 +4,18 @@
 #include <vector>
 
 #include "beadswim/coupling/coupled_system.hpp"
-#include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
+#include "models/fault_message.hpp"
 
 // Parts of the model lbm: its messages, its data in a record, and its state in a checkpoint.
 
 namespace beadswim {
 
-/// Returns the message for users about a fault that ended a run: place, fault, likely cause and remedy.
-/// `mach_so_far`: largest Mach number of a bead before the fault.
-std::string fault_message(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far);
+/// Returns what the message of a fault says about the run. `mach_so_far`: largest Mach number of a bead
+/// before the fault.
+FaultyRun faulty_run(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far);
 
 /// Returns the warnings that are known before the run; they do not stop it. `roundoff`: relative error of the
 /// swimmers' velocity caused by rounding of the populations, from velocity_roundoff().

@@ -8,6 +8,7 @@
 #include "beadswim/overdamped/overdamped_setup.hpp"
 #include "beadswim/overdamped/overdamped_system.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
+#include "models/fault_message.hpp"
 #include "models/models.hpp"
 #include "run_parts.hpp"
 
@@ -117,13 +118,16 @@ class OverdampedModel : public Model {
 
   std::optional<ModelFault> fault() const override {
     if (!system_.fault()) return std::nullopt;
-    const OverdampedFault& fault = *system_.fault();
-    const bool is_speed = fault.kind == OverdampedFaultKind::speed;
-    return ModelFault{
-        .status = is_speed ? RunStatus::stopped_speed : RunStatus::failed,
-        .message = fmt::format("step {} (cycle {:.3f}): {}", fault.step,
-                               static_cast<double>(fault.step) / static_cast<double>(plan_.steps_per_cycle),
-                               message_of(fault))};
+    const bool is_oseen = plan_.scene.model == MobilityModel::oseen;
+    return model_fault(
+        *system_.fault(),
+        {.length = plan_.units.length,
+         .steps_per_cycle = plan_.steps_per_cycle,
+         .mach = std::nullopt,
+         .cause = {},
+         .other_model =
+             is_oseen ? fmt::format(", or use {} rpy, which is also stable for close beads", Setting::model)
+                      : ""});
   }
 
   void write_flow() override {}
@@ -236,52 +240,6 @@ class OverdampedModel : public Model {
     motion.position = state.positions[0][bead] + time * (velocity + 0.5 * ahead * gained);
     motion.velocity = velocity + ahead * gained;
     return motion;
-  }
-
-  std::string message_of(const OverdampedFault& fault) const {
-    const Vec3 p = fault.position * plan_.units.length;
-    const std::string place =
-        fmt::format("of swimmer {} at ({:.6g}, {:.6g}, {:.6g})", fault.swimmer, p[0], p[1], p[2]);
-    const std::string other_model =
-        plan_.scene.model == MobilityModel::oseen
-            ? fmt::format(", or use {} rpy, which is also stable for close beads", Setting::model)
-            : "";
-    switch (fault.kind) {
-      case OverdampedFaultKind::torn_arm:
-        return fmt::format(
-            "arm {} {} is torn: its length is {:.3g} times the rest length, above the limit of 2 times; use "
-            "weaker driving or stiffer springs",
-            fault.bead, place, fault.value);
-      case OverdampedFaultKind::speed:
-        return fmt::format(
-            "bead {} {} moves {:.3g} radii per step, above the limit of 1; increase {}, or reduce the "
-            "driving amplitude{}",
-            fault.bead, place, fault.value, Setting::steps_per_cycle, other_model);
-      case OverdampedFaultKind::wall:
-        return fmt::format(
-            "bead {} {} lies {:.3g} beyond a wall; increase {}, reduce the driving amplitude, or enlarge the "
-            "box",
-            fault.bead, place, fault.value * plan_.units.length, Setting::steps_per_cycle);
-      case OverdampedFaultKind::no_slip_wall:
-        return fmt::format(
-            "bead {} {} overlaps the wall by {:.3g} radii; increase {}, or reduce the driving amplitude",
-            fault.bead, place, fault.value, Setting::steps_per_cycle);
-      case OverdampedFaultKind::not_positive:
-        return fmt::format(
-            "the mobility is not positive definite any more: forces would move beads backwards, most of all "
-            "bead {} {}, because beads are too close to each other or to a wall; use {} rpy",
-            fault.bead, place, Setting::model);
-      case OverdampedFaultKind::not_converged:
-        return fmt::format(
-            "the solver for the velocities and forces of a step did not converge; increase {}, or reduce the "
-            "driving amplitude or the damping{}",
-            Setting::steps_per_cycle, other_model);
-      case OverdampedFaultKind::not_finite:
-        return fmt::format(
-            "the position of bead {} {} is non-finite; increase {}, or reduce the driving amplitude{}",
-            fault.bead, place, Setting::steps_per_cycle, other_model);
-    }
-    return "a fault of unknown kind was found; this is a fault of the program, please report it";
   }
 
   const OverdampedPlan& plan_;

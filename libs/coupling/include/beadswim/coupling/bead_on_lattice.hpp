@@ -5,17 +5,10 @@
 
 #include "beadswim/core/order_free_sum.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/scene/fault.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 
 namespace beadswim {
-
-/// Identifies a bead in the scene.
-struct BeadName {
-  int swimmer = 0;  ///< id of the swimmer
-  int bead = 0;     ///< index of the bead in its swimmer
-
-  auto operator<=>(const BeadName&) const = default;
-};
 
 /// Momentum, and angular momentum about the centre of a bead: sums whose bits do not depend on the order of
 /// their terms.

@@ -29,12 +29,6 @@ NearContactLaw near_contact_law(const CoupledScene& scene);
 /// Largest permitted overlap of two beads, divided by the radius of the smaller bead.
 constexpr double max_overlap = 0.2;
 
-/// Returns a fault if the overlap of two beads exceeds max_overlap times `smaller_radius`. position: centre
-/// of `bead`. gap: distance of the two surfaces, negative if the beads overlap [cell]. smaller_radius: radius
-/// of the smaller of the two beads [cell]. Fault::step is not set.
-std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, const Vec3& position, double gap,
-                                double smaller_radius);
-
 /// Result of add_contact_impulses().
 struct CloseBeads {
   /// Smallest gap of all pairs whose gap is below NearContactLaw::cutoff() [cell]. Infinite if there is no
@@ -43,10 +37,10 @@ struct CloseBeads {
   std::optional<Fault> overlap;  ///< the first overlap that exceeds max_overlap
 };
 
-/// Adds to BeadOnLattice::impulse the impulses that close pairs of beads exchange in the next step. Skips a
-/// pair of beads of the same swimmer, because the owner of the swimmer evaluates it
-/// (add_swimmer_contact_impulses()). A pair of a bead and a periodic image of a bead of the same swimmer is
-/// not skipped. Each pair is evaluated on the rank whose block contains the middle of the gap.
+/// Adds to BeadOnLattice::impulse the impulses that close pairs of beads exchange in the next step, and finds
+/// gaps and overlaps. Adds no impulses to a pair of beads of the same swimmer, because the owner of the
+/// swimmer evaluates them (add_swimmer_contact_impulses()), except to a pair of a bead and a periodic image.
+/// Each pair is evaluated on the rank whose block contains the middle of the gap.
 CloseBeads add_contact_impulses(const NearContactLaw& law, const Coverage& coverage,
                                 std::span<BeadOnLattice> beads);
 

@@ -6,49 +6,9 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/order_free_lanes.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
+#include "beadswim/scene/fault.hpp"
 
 namespace beadswim {
-
-/// Kind of a fault, an unphysical state that ends a run. Square brackets give the unit of Fault::value. If
-/// several faults occur in one step, the kind that comes first in this list is reported.
-enum class FaultKind {
-  not_finite,  ///< a number of the state is non-finite or far too large
-  speed,       ///< the surface of a bead moves faster than speed_limit [cell/step]
-  torn_arm,    ///< an arm is longer than max_stretch [rest length]
-  wall,        ///< the gap between a bead and a wall is smaller than min_wall_gap [cell]
-  level,       ///< the gap between a bead and a coarser level is smaller than min_level_gap [cell]
-  overlap,     ///< two beads overlap by more than max_overlap [radius of the smaller bead]
-  mass,        ///< the total mass of fluid and beads has changed [total mass of the fluid]
-  /// The total momentum of fluid and beads in a periodic box has changed [total momentum of the beads if all
-  /// of them move at the largest speed so far].
-  momentum,
-};
-
-/// An unphysical state that ends a run, in lattice units.
-struct Fault {
-  FaultKind kind = FaultKind::not_finite;
-  long step = 0;
-  BeadName bead{.swimmer = -1, .bead = 0};  ///< swimmer < 0: no bead is known
-  BeadName other{.swimmer = -1, .bead = 0};
-  Vec3 position = Vec3::Zero();  ///< centre of the bead
-  double value = 0;              ///< quantity that violates its limit; unit: see FaultKind
-
-  static void visit_fields(auto&& visit, auto& fault) {
-    visit("kind", fault.kind);
-    visit("step", fault.step);
-    visit("bead", fault.bead);
-    visit("other", fault.other);
-    visit("position", fault.position);
-    visit("value", fault.value);
-  }
-
-  bool names_bead() const { return bead.swimmer >= 0; }
-};
-
-/// Returns true if fault `a` is reported in preference to fault `b`. Compares step, kind, bead, other bead
-/// and value, in this order. The fault with the smaller entry comes first; for values, the fault with the
-/// larger value.
-bool comes_before(const Fault& a, const Fault& b);
 
 /// Returns the first fault of all ranks, the same on all ranks. The result does not depend on the number of
 /// ranks, with one exception. If a number is non-finite, the bead to which it is attributed can depend on the

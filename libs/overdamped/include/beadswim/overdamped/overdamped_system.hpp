@@ -11,6 +11,7 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/mobility/mobility.hpp"
 #include "beadswim/overdamped/overdamped_scene.hpp"
+#include "beadswim/scene/fault.hpp"
 
 // Swimmers in a fluid without inertia, or with memory (mobility/fluid_memory.hpp). Without inertia, the
 // velocities v of the beads depend on the present positions x of all beads and on the present forces F:
@@ -45,27 +46,6 @@
 // Page: docs/method/mobility-swarms.md.
 
 namespace beadswim {
-
-enum class OverdampedFaultKind {
-  not_finite,  ///< a position is non-finite
-  /// A bead moved by more than its radius in a step, relative to the background flow; value: displacement
-  /// [radius].
-  speed,
-  torn_arm,       ///< an arm exceeds twice its rest length; value: length [rest length]
-  wall,           ///< the centre of a bead is beyond a wall; value: distance beyond it [length]
-  no_slip_wall,   ///< a bead overlaps the wall of a half-space; value: depth of the overlap [radius]
-  not_positive,   ///< model oseen: the mobility is not positive definite; bead: moves most against forces
-  not_converged,  ///< the linear solver of a step did not converge; swimmer and bead are 0
-};
-
-struct OverdampedFault {
-  OverdampedFaultKind kind = OverdampedFaultKind::not_finite;
-  long step = 0;                 ///< number of the step with the fault, from 1
-  int swimmer = 0;               ///< id of the swimmer
-  int bead = 0;                  ///< number of the bead, 1 to 3, or of the arm, 1 or 2
-  Vec3 position = Vec3::Zero();  ///< position of the bead before the step [length]
-  double value = 0;              ///< quantity and unit: see OverdampedFaultKind
-};
 
 /// State from which a run continues, and statistics of all steps so far.
 struct OverdampedState {
@@ -142,7 +122,7 @@ class OverdampedSystem {
   /// Returns the range [first, end) of the swimmers that this rank advances.
   std::pair<std::size_t, std::size_t> own_swimmers() const;
 
-  const std::optional<OverdampedFault>& fault() const { return fault_; }
+  const std::optional<Fault>& fault() const { return fault_; }
 
   /// Replaces the state by a state of the same scene, for example from a checkpoint. Throws SolverError if
   /// the number of beads is different.
@@ -160,7 +140,7 @@ class OverdampedSystem {
   void accept(ImplicitStepResult step);
   void update_extremes();
   void check_faults();
-  std::optional<OverdampedFault> mobility_fault();
+  std::optional<Fault> mobility_fault();
   bool must_check_mobility() const;
 
   OverdampedScene scene_;
@@ -176,7 +156,7 @@ class OverdampedSystem {
   double checked_gap_ = 0, checked_height_ = 0;
   OverdampedState state_;
   bool is_converged_ = true;  ///< true if all steps so far converged
-  std::optional<OverdampedFault> fault_;
+  std::optional<Fault> fault_;
 };
 
 }  // namespace beadswim

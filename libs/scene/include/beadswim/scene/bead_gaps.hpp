@@ -1,6 +1,6 @@
 #pragma once
 
-#include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,11 +36,11 @@ struct BeadPair {
 /// search may also find beads that are farther away.
 CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double max_gap);
 
-/// Calls visit(pair) for each pair of beads whose surfaces are at most `max_gap` [length] apart, until visit
-/// returns false. May also visit pairs at larger distances. Pairs are visited in ascending order of `first`,
-/// then of `second`.
-void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double max_gap,
-                       const std::function<bool(const BeadPair&)>& visit);
+/// Returns the pairs of beads whose surfaces are at most `max_gap` [length] apart, in ascending order of
+/// `first`, then of `second`. If there are more than `max_pairs`, it returns that many of them.
+std::vector<BeadPair> close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain,
+                                  double max_gap,
+                                  std::size_t max_pairs = std::numeric_limits<std::size_t>::max());
 
 /// Returns at most `max_pairs` pairs of beads whose surfaces touch or intersect. Pairs of a bead and its own
 /// periodic image are included.
