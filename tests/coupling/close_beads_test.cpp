@@ -121,6 +121,22 @@ TEST(CloseBeads, IncludeABeadsOwnImages) {
   EXPECT_LT(beads[0].impulse.close.value().torque.head<2>().norm(), 1e-15);
 }
 
+// The owner of a swimmer evaluates the impulses between its beads. Catches their gap being missed, and
+// impulses that act twice; between a bead and an image of another bead of its swimmer they act here.
+TEST(CloseBeads, FindGapsWithinASwimmerButItsOwnerAddsTheImpulses) {
+  const OneBlock block(Index3(12, 12, 12));
+  for (const double image : {0.0, 12.0}) {
+    std::vector<BeadOnLattice> beads{bead_at(0, Vec3(4, 6, 6), 2.5),
+                                     bead_at(0, Vec3(9.2 + image, 6, 6), 2.5)};
+    beads[1].name.bead = 1;
+    beads[1].predicted.linear = Vec3(-0.1, 0, 0);
+    Coverage coverage(block.at(), block.populations);
+    coverage.update(beads);
+    EXPECT_NEAR(add_contact_impulses(law, coverage, beads).smallest_gap, 0.2, 1e-12);
+    EXPECT_EQ(beads[0].impulse.close.value().force == Vec3::Zero(), image == 0);
+  }
+}
+
 TEST(CloseBeads, ReportADeepOverlap) {
   const OneBlock block(Index3(16, 12, 12));
   std::vector<BeadOnLattice> beads{bead_at(3, Vec3(4, 5, 5), 2.5), bead_at(8, Vec3(8.4, 5, 5), 2.5)};
