@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "beadswim/core/close_pairs.hpp"
+#include "beadswim/core/cell_list.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 
 namespace beadswim {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bead_vectors.hpp"
-#include "beadswim/core/close_pairs.hpp"
+#include "beadswim/core/cell_list.hpp"
 #include "beadswim/core/dense_systems.hpp"
 
 namespace beadswim {

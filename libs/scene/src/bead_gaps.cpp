@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "beadswim/core/close_pairs.hpp"
+#include "beadswim/core/cell_list.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 

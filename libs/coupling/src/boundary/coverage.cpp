@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "beadswim/core/close_pairs.hpp"
+#include "beadswim/core/cell_list.hpp"
 
 namespace beadswim {
 namespace {

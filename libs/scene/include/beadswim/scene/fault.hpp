@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
@@ -60,10 +61,15 @@ struct Fault {
 /// Returns true if fault `a` is reported in preference to fault `b`. Compares step, kind, bead, other bead
 /// and value, in this order. The fault with the smaller entry comes first; for values, the fault with the
 /// larger value.
-bool comes_before(const Fault& a, const Fault& b);
+inline bool comes_before(const Fault& a, const Fault& b) {
+  const auto rank = [](const Fault& f) { return std::tuple(f.step, f.kind, f.bead, f.other, -f.value); };
+  return rank(a) < rank(b);
+}
 
 /// Replaces `first` by `fault` if there is none yet, or if `fault` is reported in preference to it.
-void keep_first(std::optional<Fault>& first, const Fault& fault);
+inline void keep_first(std::optional<Fault>& first, const Fault& fault) {
+  if (!first || comes_before(fault, *first)) first = fault;
+}
 
 /// Returns a fault if an arm of the swimmer with this id is longer than max_stretch. position(b): centre of
 /// bead b [length]. Fault::step is not set.
