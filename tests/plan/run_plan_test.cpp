@@ -79,9 +79,9 @@ TEST(RunPlan, ChoosesTheCheapestWithinTheTolerance) {
   const RunPlan plan = plan_of(request, communicator);
   ASSERT_TRUE(plan.choice);
   const PlannedRun& choice = plan.runs[*plan.choice];
-  EXPECT_LE(choice.error.limit.largest(), 0.1);
+  EXPECT_LE(choice.errors.limits.total.largest(), 0.1);
   for (const PlannedRun& run : plan.runs) {
-    if (run.refused.empty() && run.error.limit.largest() <= 0.1) {
+    if (run.refused.empty() && run.errors.limits.total.largest() <= 0.1) {
       EXPECT_GE(run.core_seconds, choice.core_seconds);
     }
   }

@@ -32,9 +32,9 @@ void print_restart_flag(const std::string& checkpoint, const std::string& trajec
                   trajectory_of(checkpoint) == trajectory ? checkpoint : checkpoint + " -o " + trajectory));
 }
 
-/// Gives the task the settings of the cheapest run within the tolerance. Returns the tolerance. Collective.
-double choose_settings(RunTask& task, const RunOptions& options, const Communicator& communicator) {
-  const RunPlan plan =
+/// Gives the task the settings of the cheapest run within the tolerance. Returns the plan. Collective.
+RunPlan choose_settings(RunTask& task, const RunOptions& options, const Communicator& communicator) {
+  RunPlan plan =
       plan_run(task.document.layout, plan_request(options, communicator), task.source, communicator);
   const PlannedRun& planned = choose_run(plan);
   task.settings = planned.settings;
@@ -42,9 +42,9 @@ double choose_settings(RunTask& task, const RunOptions& options, const Communica
     print_message(fmt::format(
         "starting the cheapest run within --tolerance: {}, with an error of up to {}, typically {}, and a "
         "cost of {:.3g} core-seconds",
-        settings_text(planned.settings, options.chosen), in_percent(planned.error.limit.largest()),
-        in_percent(planned.error.typical.largest()), planned.core_seconds));
-  return plan.tolerance;
+        settings_text(planned.settings, options.chosen), in_percent(planned.errors.limits.total.largest()),
+        in_percent(planned.errors.typical.largest()), planned.core_seconds));
+  return plan;
 }
 
 }  // namespace
@@ -75,12 +75,15 @@ std::optional<StopRequest> stop_request(const RunOptions& options, double start)
 std::unique_ptr<ModelPlan> plan_of(RunTask& task, const RunOptions& options,
                                    const Communicator& communicator) {
   constexpr double usual_accepted_error = 0.1;
-  const double accepted = task.settings.model == RunModel::automatic
-                              ? choose_settings(task, options, communicator)
-                              : usual_accepted_error;
+  std::optional<RunPlan> choice;
+  if (task.settings.model == RunModel::automatic) choice = choose_settings(task, options, communicator);
   require_settings_apply(options.chosen, task.settings.model);
   std::unique_ptr<ModelPlan> plan = plan_for(task, communicator);
-  if (communicator.is_root()) add_expected_errors(*plan, task.document.layout, accepted);
+  if (communicator.is_root())
+    add_expected_errors(*plan, choice ? choice->tolerance : usual_accepted_error, [&] {
+      return choice ? expected_errors(*choice, choose_run(*choice))
+                    : expected_errors(task.document.layout, *plan);
+    });
   return plan;
 }
 

@@ -10,53 +10,40 @@
 namespace beadswim {
 namespace {
 
-ErrorEstimate box_changes(const SceneFacts& facts) {
-  ErrorEstimate changes;
-  for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts) {
-    const Question& question = swimmer_facts.representative.question;
-    if (!question.box || !swimmer_facts.best) continue;
-    Question open = question;
-    open.box.reset();
-    changes = componentwise_max(changes, difference(best_prediction(open), *swimmer_facts.best));
+RunErrors run_errors(const SceneFacts& facts, const ModelPlan& plan) {
+  if (const SceneOnLattice* on_lattice = plan.lattice()) {
+    const long steps_per_cycle = on_lattice->lattice.steps_per_period;
+    const long steps = total_steps(plan.settings.cycles, steps_per_cycle);
+    return lattice_run_errors(*on_lattice, facts,
+                              velocity_roundoff(on_lattice->scene, steps_per_cycle, steps));
   }
-  return changes;
+  return mobility_run_errors(facts, *mobility_model(plan.settings.model), plan.settings.mobility);
 }
 
-ExpectedErrors lattice_errors(const SceneFacts& facts, const SceneOnLattice& on_lattice, double cycles) {
-  const long steps_per_cycle = on_lattice.lattice.steps_per_period;
-  const double roundoff =
-      velocity_roundoff(on_lattice.scene, steps_per_cycle, total_steps(cycles, steps_per_cycle));
-  const LatticeErrors errors = lattice_scene_errors(on_lattice, facts, roundoff);
-  return {.total = errors.total().limit,
-          .resolution = errors.resolution.limit,
-          .wander = errors.wander.limit,
-          .box = box_changes(facts)};
-}
-
-ExpectedErrors mobility_errors(const SceneFacts& facts, const RunSettings& settings) {
-  const MobilityModel model = *mobility_model(settings.model);
-  return {.total = mobility_scene_error(facts, model, settings.mobility).limit,
-          .resolution = {.velocity =
-                             velocity_error_of_steps(model, settings.mobility) + position_roundoff(facts)},
-          .wander = {},
-          .box = box_changes(facts)};
+/// Throws InputError if errors have not been validated for this type of swimmers; empty: for all.
+void require_validated(const std::string& type) {
+  if (!type.empty())
+    throw InputError(
+        fmt::format("error estimates have been validated for the paper's three-bead swimmers only, "
+                    "not for the type \"{}\"; compare runs with different resolutions",
+                    type));
 }
 
 }  // namespace
 
 ExpectedErrors expected_errors(const Layout& layout, const ModelPlan& plan) {
   const SceneFacts facts = scene_facts(layout, plan.settings.cycles);
-  if (!facts.unvalidated.empty())
-    throw InputError(
-        fmt::format("error estimates have been validated for the paper's three-bead swimmers only, "
-                    "not for the type \"{}\"; compare runs with different resolutions",
-                    facts.unvalidated));
-  return plan.lattice() != nullptr ? lattice_errors(facts, *plan.lattice(), plan.settings.cycles)
-                                   : mobility_errors(facts, plan.settings);
+  require_validated(facts.unvalidated);
+  return run_errors(facts, plan).limits;
 }
 
-void add_expected_errors(ModelPlan& plan, const Layout& layout, double accepted) {
-  const std::string unknown = reason_against([&] { plan.expected = expected_errors(layout, plan); });
+ExpectedErrors expected_errors(const RunPlan& plan, const PlannedRun& run) {
+  require_validated(plan.unvalidated);
+  return run.errors.limits;
+}
+
+void add_expected_errors(ModelPlan& plan, double accepted, const std::function<ExpectedErrors()>& expected) {
+  const std::string unknown = reason_against([&] { plan.expected = expected(); });
   if (!plan.expected) {
     plan.warnings.push_back({"error-unknown", "the error of this run is not known: " + unknown});
     return;

@@ -40,7 +40,7 @@ bool is_on_front(const RunPlan& plan, const PlannedRun& run) {
   constexpr double error_margin = 1.05;
   return std::ranges::none_of(plan.runs, [&](const PlannedRun& other) {
     return other.refused.empty() && other.core_seconds < run.core_seconds &&
-           other.error.limit.largest() <= error_margin * run.error.limit.largest();
+           other.errors.limits.total.largest() <= error_margin * run.errors.limits.total.largest();
   });
 }
 
@@ -61,9 +61,9 @@ Json json_of(const RunPlan& plan, const PlannedRun& run) {
                     {"memory_bytes", run.memory_bytes},
                     {"output_bytes", run.output_bytes}};
   }
-  if (const double largest = run.error.limit.largest(); largest > 0 && std::isfinite(largest)) {
-    json["error"] = run.error.limit;
-    json["typical_error"] = run.error.typical;
+  if (const double largest = run.errors.limits.total.largest(); largest > 0 && std::isfinite(largest)) {
+    json["error"] = run.errors.limits.total;
+    json["typical_error"] = run.errors.typical;
   }
   return json;
 }
@@ -131,9 +131,9 @@ std::string plan_head(const std::string& indent) {
 
 std::string plan_row(const RunPlan& plan, const PlannedRun& run, const std::string& remark) {
   return fmt::format("  {:<74} {}  {} {:>9.3g} {:>9.3g} {:>8} {:>8}  {}\n", command(plan, run),
-                     error_columns(run.error.limit), error_columns(run.error.typical), run.core_seconds,
-                     run.core_seconds / plan.ranks, size_text(run.memory_bytes), size_text(run.output_bytes),
-                     remark);
+                     error_columns(run.errors.limits.total), error_columns(run.errors.typical),
+                     run.core_seconds, run.core_seconds / plan.ranks, size_text(run.memory_bytes),
+                     size_text(run.output_bytes), remark);
 }
 
 std::string plan_table(const RunPlan& plan, const std::string& layout) {

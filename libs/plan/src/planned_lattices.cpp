@@ -144,7 +144,7 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
     const double mach = mach_of(on_lattice, facts);
     const double roundoff = velocity_roundoff(on_lattice.scene, steps_per_cycle, steps);
     if (!speed) speed = request.lattice_speed();
-    run.error = lattice_scene_errors(on_lattice, facts, roundoff).total();
+    run.errors = lattice_run_errors(on_lattice, facts, roundoff);
     add_cost(run, on_lattice, *speed, steps - request.steps_done, communicator);
     wrong = lattice_obstacle(on_lattice, mach, roundoff);
   });
@@ -154,8 +154,7 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
 
 }  // namespace
 
-LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const SceneFacts& facts,
-                                   double roundoff) {
+RunErrors lattice_run_errors(const SceneOnLattice& on_lattice, const SceneFacts& facts, double roundoff) {
   const UnitScales& scales = on_lattice.lattice.scales;
   const ResolvedRun run{
       .cells_per_radius = on_lattice.resolution.cells_per_radius,
@@ -177,17 +176,19 @@ LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const Scene
   const auto by_wander = [&](const SwimmerFacts& swimmer_facts) {
     return wander_error(swimmer_facts.best, run);
   };
-  LatticeErrors errors{.resolution = scene_error(facts, by_resolution),
-                       .wander = scene_error(facts, by_wander)};
-  ErrorEstimate& limit = errors.resolution.limit;
-  if (limit.velocity == 0) return errors;  // no swimmer swims
-  if (std::isfinite(roundoff)) errors.resolution.add_to_velocity(roundoff);
-  if (!on_lattice.scene.levels.empty()) {
+  ErrorRange resolution = scene_error(facts, by_resolution);
+  const ErrorRange wander = scene_error(facts, by_wander);
+  ErrorEstimate& limit = resolution.limit;
+  if (limit.velocity > 0 && std::isfinite(roundoff)) resolution.add_to_velocity(roundoff);
+  if (limit.velocity > 0 && !on_lattice.scene.levels.empty()) {
     // Twice the largest changes that were measured in free-slip boxes (docs/refinement.md).
     limit.velocity += 0.0012;
     for (double& arm : limit.arm_amplitudes) arm += 0.0004;
   }
-  return errors;
+  const ErrorRange total = combined(resolution, wander);
+  return {
+      .limits = {.total = total.limit, .resolution = limit, .wander = wander.limit, .box = facts.box_changes},
+      .typical = total.typical};
 }
 
 std::string left_out_resolutions(const Layout& layout) {

@@ -44,7 +44,8 @@ double mesh_bytes(const OverdampedScene& scene) {
 }
 
 /// Returns the cost with memory of the fluid, without measuring it on a large mesh. The numbers are from runs
-/// of 540 and 11,520 swimmers (docs/speed-against-error.md, docs/performance.md).
+/// of 540 and 11,520 swimmers (docs/results/speed-against-error.sh) and agree within 25 % with the products
+/// that beadswim-bench measured for 11,520 to 103,680 beads (docs/performance.md).
 StepCost estimated_cost(const OverdampedScene& scene) {
   // Computing time of one sum, per mesh point and field, and per bead [core-seconds]. It increases with the
   // size of the mesh, which exceeds the caches.
@@ -94,35 +95,28 @@ StepCost measured_cost(const OverdampedScene& scene, const Communicator& communi
   return cost;
 }
 
-/// Returns the reason why no mobility model is accurate for this scene; empty if there is none.
-std::string mobility_obstacle(const SceneFacts& facts) {
-  for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
-    if (const std::string film = film_obstacle(swimmer_facts); !film.empty()) return film;
-  return {};
-}
-
 /// Sets the cost of the candidate `run`: core-seconds for products of mobility matrix and forces and for
 /// other work of each step, memory and disk space (docs/method/mobility-swarms.md, docs/performance.md).
 void add_cost(PlannedRun& run, const OverdampedSetup& setup, long steps_done,
               const Communicator& communicator) {
-  const bool has_dashpots = std::ranges::any_of(setup.scene.types, [](const SwimmerType& type) {
-    return std::ranges::any_of(type.bonds, [](const Bond& bond) { return bond.damping > 0; });
-  });
-  // Measured in runs of the paper's swimmer and swarms. With moments, later products of a step take fewer
-  // iterations than the product that is timed, and count accordingly.
-  const bool is_alone = setup.scene.swimmers.size() == 1 && !setup.scene.box;
-  double products_per_step = is_alone ? 1 : has_dashpots ? 2.1 : 1.6;
-  if (setup.scene.memory) products_per_step = setup.scene.moment_order == 0 ? 1.1 : 1.2;
-  constexpr double first_products = 13, rest_of_step = 1e-5;        // rest_of_step: per swimmer and step [s]
+  // Measured by docs/results/plan-costs.sh; bytes per bead without moments by beadswim-bench
+  // (docs/performance.md). With moments there are 2.1 products per step, the second mostly without
+  // iterations.
+  const bool is_alone = setup.scene.swimmers.size() == 1 && !setup.scene.box,
+             has_memory = setup.scene.memory.has_value();
+  const double first_products = has_memory ? 6 : is_alone ? 13 : 26;
+  double products_per_step = is_alone ? 1 : 1.5;
+  if (has_memory) products_per_step = setup.scene.moment_order == 0 ? 1.1 : 1.2;
+  constexpr double rest_of_step = 1e-5;                             // per swimmer and step [s]
   constexpr double bytes_in_box = 800, bytes_in_open = 3100;        // per bead, including the mesh [byte]
-  constexpr std::array<double, 3> bytes_of_moments{0, 2000, 4000};  // per bead or mirror image, on each rank
+  constexpr std::array<double, 3> bytes_of_moments{0, 4400, 6600};  // per bead or mirror image, on each rank
   const std::size_t beads = bead_radii(setup.scene).size();
   const double swimmers = static_cast<double>(beads) / 3;  // of three beads each
   const long all_steps = total_steps(run.settings.cycles, setup.steps_per_cycle);
   require_end_after(run.settings.cycles, all_steps, steps_done, setup.steps_per_cycle);
   const double steps = static_cast<double>(all_steps - steps_done);
   constexpr double max_measured_points = 1e5;
-  const bool is_large = setup.scene.memory && mesh_points(setup.scene) > max_measured_points;
+  const bool is_large = has_memory && mesh_points(setup.scene) > max_measured_points;
   const StepCost cost = is_large ? estimated_cost(setup.scene) : measured_cost(setup.scene, communicator);
   run.core_seconds = start_seconds * communicator.size() + rest_of_step * swimmers * steps +
                      (products_per_step * steps + first_products) * cost.product + steps * cost.end_of_step;
@@ -145,7 +139,7 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
     const MobilitySettings& settings = run.settings.mobility;
     const OverdampedSetup setup =
         overdamped_setup(layout, model, settings, run.settings.frames_per_cycle, source);
-    run.error = mobility_scene_error(facts, model, settings);
+    run.errors = mobility_run_errors(facts, model, settings);
     if (const double needed = mesh_bytes(setup.scene); needed > installed_bytes())
       throw InputError(fmt::format(
           "the mesh of the fluid's memory needs {:.3g} GB, more than this machine has", 1e-9 * needed));
@@ -154,9 +148,13 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
   return run;
 }
 
-}  // namespace
-
-double position_roundoff(const SceneFacts& facts) {
+/// Returns the largest relative error of the velocity v of a mobility run by the roundoff of bead positions
+/// x. Each of the n steps of a period T rounds x by a random number of standard deviation eps |x|/sqrt(12).
+/// Two standard deviations of the mean displacement of three beads are
+///
+///   2 eps |x| sqrt(n/12/3),   relative to the displacement T |v|
+double position_roundoff(const SceneFacts& facts, const MobilitySettings& settings) {
+  const double steps = settings.steps_per_cycle.value_or(MobilitySettings::default_steps_per_cycle);
   double largest = 0;
   for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts) {
     if (!swimmer_facts.best || !swimmer_facts.best->is_swimming) continue;
@@ -166,21 +164,29 @@ double position_roundoff(const SceneFacts& facts) {
       farthest = std::max(farthest, (box->lengths.array() * facts.cells.cast<double>()).maxCoeff());
     for (const Swimmer& placed : facts.cell.swimmers)
       farthest = std::max(farthest, placed.position.cwiseAbs().maxCoeff());
-    largest = std::max(largest, 4 * std::numeric_limits<double>::epsilon() * farthest /
-                                    (swimmer.period * std::abs(swimmer_facts.best->velocity)));
+    const double rounded = 2 * std::numeric_limits<double>::epsilon() * farthest * std::sqrt(steps / 36);
+    largest = std::max(largest, rounded / (swimmer.period * std::abs(swimmer_facts.best->velocity)));
   }
   return largest;
 }
 
-ErrorRange mobility_scene_error(const SceneFacts& facts, MobilityModel model,
-                                const MobilitySettings& settings) {
-  if (const std::string film = mobility_obstacle(facts); !film.empty()) throw InputError(film);
+}  // namespace
+
+RunErrors mobility_run_errors(const SceneFacts& facts, MobilityModel model,
+                              const MobilitySettings& settings) {
+  for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
+    if (const std::string film = film_obstacle(swimmer_facts); !film.empty()) throw InputError(film);
   const auto error_of = [&](const SwimmerFacts& swimmer_facts) {
     return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model, settings);
   };
+  const double roundoff = position_roundoff(facts, settings);
   ErrorRange error = scene_error(facts, error_of, model != MobilityModel::unsteady);
-  error.add_to_velocity(error_near_wall(facts.height, model, settings) + position_roundoff(facts));
-  return error;
+  error.add_to_velocity(error_near_wall(facts.height, model, settings) + roundoff);
+  return {.limits = {.total = error.limit,
+                     .resolution = {.velocity = velocity_error_of_steps(model, settings) + roundoff},
+                     .wander = {},
+                     .box = facts.box_changes},
+          .typical = error.typical};
 }
 
 std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& facts,

@@ -18,10 +18,29 @@ namespace {
 
 constexpr double max_growth_exponent = 50;  // e^50 stands for unbounded growth
 
+/// Returns the factor by which a small tilt of the axis against the driving forces grows in half a period.
+/// Driving forces along fixed axes turn the axis while they compress the swimmer. The mean of the force F
+/// over half a period is 2/pi of its amplitude F_max:
+///
+///   rate of the tilt = F sin(tilt) / (6 pi eta a l)
+///   growth           = exp((2/pi) F_max (T/2) / (6 pi eta a l))
+///
+/// a: bead radius, l: arm length [length]. eta: dynamic viscosity [mass/(length time)]. T: period [time]. In
+/// the other half period, the forces extend the swimmer and the tilt decreases again.
+double growth_of_tilt(const ThreeBeadSwimmer& type, double viscosity) {
+  if (type.driving.frame == DrivingFrame::body) return 1;
+  constexpr double pi = std::numbers::pi;
+  const double force = std::max(std::abs(type.driving.amplitude[0]), std::abs(type.driving.amplitude[1]));
+  const double length = (type.springs[0].rest_length + type.springs[1].rest_length) / 2;
+  const double drag = 6 * pi * viscosity * type.beads[1].radius;
+  return std::exp(std::min(max_growth_exponent, 2 / pi * force * type.driving.period / 2 / (drag * length)));
+}
+
 SwimmerFacts evaluate_swimmer(Representative representative) {
   SwimmerFacts swimmer_facts{
       .representative = std::move(representative), .best = {}, .obstacle = {}, .lag = {}};
-  const Question& question = swimmer_facts.representative.question;
+  Question& question = swimmer_facts.representative.question;
+  swimmer_facts.tilt_growth = growth_of_tilt(swimmer_facts.representative.type, question.swimmer.viscosity);
   const auto driven = swimmer_facts.representative.type.driving.amplitude;
   const auto axial_amplitude = question.swimmer.amplitude;
   constexpr double negligible = 1e-9;
@@ -31,6 +50,7 @@ SwimmerFacts evaluate_swimmer(Representative representative) {
       throw InputError(
           "the driving forces are perpendicular to the swimmer's axis and only bend the swimmer, without a "
           "stroke along the axis");
+    question = with_open_space_motion(std::move(question));
     swimmer_facts.best = best_prediction(question);
   });
   return swimmer_facts;
@@ -67,34 +87,28 @@ std::vector<SwimmerFacts> evaluate_swimmers(const Layout& cell) {
   return all;
 }
 
+/// Returns the changes of velocity and arm amplitudes by the box, the largest of all swimmers.
+ErrorEstimate changes_by_box(const std::vector<SwimmerFacts>& all) {
+  ErrorEstimate changes;
+  for (const SwimmerFacts& swimmer_facts : all) {
+    Question open = swimmer_facts.representative.question;
+    if (!open.box || !swimmer_facts.best) continue;
+    open.box.reset();
+    changes = componentwise_max(changes, difference(best_prediction(open), *swimmer_facts.best));
+  }
+  return changes;
+}
+
 /// Returns exp(rate cycles), the factor by which deviations from the order of a swarm grow in `cycles`
 /// cycles. The rate [1/cycle] is a power law of gamma omega/k, where gamma is the drag coefficient of a bead,
-/// omega the driving frequency and k the stiffness. The power law passes through two values of
-/// docs/swarm-stability.md: rate 0.011 at gamma omega/k = 0.59, and rate 0.10 at gamma omega/k = 3.4.
+/// omega the driving frequency and k the stiffness. docs/results/stability.sh measured 0.011 at gamma omega/k
+/// = 0.59 and 0.10 at 3.4 (docs/swarm-stability.md); between them, at 1.18, it measured 0.026, as the law.
 double growth_of_disorder(const CollinearSwimmer& swimmer, double cycles) {
   const double drag = 6 * std::numbers::pi * swimmer.viscosity * swimmer.radius[1];
   const double softness =
       drag * swimmer.angular_frequency() / std::min(swimmer.stiffness[0], swimmer.stiffness[1]);
   const double rate = 0.011 * std::pow(softness / 0.592, 1.26);
   return std::exp(std::min(max_growth_exponent, rate * cycles));
-}
-
-/// Returns the factor by which a small tilt of the axis against the driving forces grows in half a period.
-/// Driving forces along fixed axes turn the axis while they compress the swimmer. The mean of the force F
-/// over half a period is 2/pi of its amplitude F_max:
-///
-///   rate of the tilt = F sin(tilt) / (6 pi eta a l)
-///   growth           = exp((2/pi) F_max (T/2) / (6 pi eta a l))
-///
-/// a: bead radius, l: arm length [length]. eta: dynamic viscosity [mass/(length time)]. T: period [time]. In
-/// the other half period, the forces extend the swimmer and the tilt decreases again.
-double growth_of_tilt(const ThreeBeadSwimmer& type, double viscosity) {
-  if (type.driving.frame == DrivingFrame::body) return 1;
-  constexpr double pi = std::numbers::pi;
-  const double force = std::max(std::abs(type.driving.amplitude[0]), std::abs(type.driving.amplitude[1]));
-  const double length = (type.springs[0].rest_length + type.springs[1].rest_length) / 2;
-  const double drag = 6 * pi * viscosity * type.beads[1].radius;
-  return std::exp(std::min(max_growth_exponent, 2 / pi * force * type.driving.period / 2 / (drag * length)));
 }
 
 }  // namespace
@@ -116,9 +130,7 @@ SceneFacts scene_facts(const Layout& in_layout_units, double cycles) {
   if (const auto& half_space = layout.domain.half_space)
     facts.height = smallest_relative_height(placed_beads(layout), *half_space);
   facts.swimmer_facts = evaluate_swimmers(facts.cell);
-  for (SwimmerFacts& swimmer_facts : facts.swimmer_facts)
-    swimmer_facts.tilt_growth =
-        growth_of_tilt(swimmer_facts.representative.type, layout.fluid.dynamic_viscosity());
+  facts.box_changes = changes_by_box(facts.swimmer_facts);
   if (facts.cell.swimmers.size() > 1) {
     for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
       facts.disorder_growth = std::max(
@@ -130,7 +142,7 @@ SceneFacts scene_facts(const Layout& in_layout_units, double cycles) {
 std::string film_obstacle(const SwimmerFacts& swimmer_facts) {
   if (!swimmer_facts.best) return "theory cannot predict the motion: " + swimmer_facts.obstacle;
   if (swimmer_facts.representative.is_stand_in) return {};  // its gaps are not those of the swimmer
-  constexpr double thin = 0.5;
+  constexpr double thin = 0.5;  // at smaller gaps, docs/results/hard-shapes.sh found errors up to 300 %
   const double gap = swimmer_facts.best->smallest_stroke_gap /
                      *std::ranges::min_element(swimmer_facts.representative.question.swimmer.radius);
   if (gap >= thin) return {};
@@ -140,15 +152,11 @@ std::string film_obstacle(const SwimmerFacts& swimmer_facts) {
       gap);
 }
 
-ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b) {
-  return {.velocity = std::max(a.velocity, b.velocity),
-          .arm_amplitudes = {std::max(a.arm_amplitudes[0], b.arm_amplitudes[0]),
-                             std::max(a.arm_amplitudes[1], b.arm_amplitudes[1])}};
-}
-
 double output_bytes(const RunSettings& settings, std::size_t beads, double cells, double bytes_per_cell) {
-  constexpr double empty = 3.3e5, bytes_per_frame = 60, bytes_per_bead = 34,
-                   bytes_per_flow_cell = 20;  // measured file sizes [byte]
+  // Each of some 20 data sets begins with 16 KiB. A frame has 17 numbers, and for each bead position, image
+  // and velocity; the flow has the velocity, the pressure and the number of the bead in each cell.
+  constexpr double empty = 20 * 16384, bytes_per_frame = 17 * 8, bytes_per_bead = 9 * 4,
+                   bytes_per_flow_cell = 5 * 4;  // [byte]
   const double frames = 1 + settings.cycles * settings.frames_per_cycle;
   double bytes = empty + frames * (bytes_per_frame + bytes_per_bead * static_cast<double>(beads));
   if (settings.flow_every)

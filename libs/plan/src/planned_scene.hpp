@@ -28,6 +28,7 @@ struct SceneFacts {
   Layout cell;            ///< smallest cell whose repetition gives the scene
   Index3 cells{1, 1, 1};  ///< number of repetitions along x, y, z
   std::vector<SwimmerFacts> swimmer_facts;
+  ErrorEstimate box_changes;   ///< ExpectedErrors::box
   std::string unvalidated;     ///< name of a type for which errors have not been validated; empty if none
   double disorder_growth = 1;  ///< factor by which deviations from the order of the swarm grow in the run
   /// Smallest height of a bead over the wall of a half-space at rest [radius].
@@ -42,34 +43,36 @@ SceneFacts scene_facts(const Layout& layout, double cycles);
 /// returns an empty string.
 std::string film_obstacle(const SwimmerFacts& swimmer_facts);
 
-/// Returns the larger of the errors in `a` and `b`, separately for the velocity and for each arm amplitude.
-ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b);
-
 /// Returns true if the prediction for the representative is for a simplified scene or another shape.
 inline bool is_simplified(const Representative& representative) {
   return representative.is_stand_in || !representative.approximation.empty();
 }
 
 /// Factor that multiplies the limit of an error if its prediction was made for simplified neighbours, a
-/// simplified box or a simplified driving of the swimmer.
+/// simplified box or a simplified driving of the swimmer. docs/results/simplified-scenes.sh measured how many
+/// errors are within their limits with this factor and without it.
 constexpr double approximation_factor = 2;
 
 /// Returns the largest expected errors of the swimmers that represent the scene. `error_of` returns the
-/// ErrorRange for one SwimmerFacts. If it follows from a prediction of the motion, limits are multiplied by
-/// approximation_factor if the prediction is for a simplified scene, and all errors by the growth of a tilt
-/// in half a period if forces act at an angle to the axis. The error of the velocity is also multiplied by
-/// the growth of disorder in the run.
+/// ErrorRange for one SwimmerFacts. It changes if it follows from a prediction of the motion. If the
+/// prediction is for a simplified scene, both arms get the larger limit, and limits are multiplied by
+/// approximation_factor. If forces act at an angle to the axis, all errors are multiplied by the growth of a
+/// tilt in half a period. The error of the velocity is always multiplied by the growth of disorder in the
+/// run.
 template <class ErrorOf>
 ErrorRange scene_error(const SceneFacts& facts, const ErrorOf& error_of, bool is_predicted = true) {
   ErrorRange largest;
   for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts) {
-    const bool is_doubled = is_predicted && is_simplified(swimmer_facts.representative);
     const bool is_slanted = is_predicted && swimmer_facts.representative.is_slanted;
     const double growth = is_slanted ? swimmer_facts.tilt_growth : 1;
     const ErrorRange error = error_of(swimmer_facts);
+    ErrorEstimate limit = scaled(growth, error.limit);
+    if (is_predicted && is_simplified(swimmer_facts.representative)) {
+      limit = scaled(approximation_factor, limit);
+      limit.arm_amplitudes.fill(limit.largest_of_arms());
+    }
     largest.typical = componentwise_max(largest.typical, scaled(growth, error.typical));
-    largest.limit = componentwise_max(
-        largest.limit, scaled(is_doubled ? approximation_factor * growth : growth, error.limit));
+    largest.limit = componentwise_max(largest.limit, limit);
   }
   largest.typical.velocity *= facts.disorder_growth;
   largest.limit.velocity *= facts.disorder_growth;
@@ -77,35 +80,21 @@ ErrorRange scene_error(const SceneFacts& facts, const ErrorOf& error_of, bool is
 }
 
 /// Start-up cost per rank [core-seconds] and memory of the program per rank without a scene [byte], measured
-/// in short runs.
-constexpr double start_seconds = 0.01, program_bytes = 3.5e7;
+/// in short runs (docs/results/plan-costs.sh).
+constexpr double start_seconds = 0.01, program_bytes = 3e7;
 
 /// Returns the disk space of the trajectory, the flow fields and the checkpoints [byte] for the given numbers
 /// of beads and lattice cells. `bytes_per_cell`: state of one lattice cell [byte].
 double output_bytes(const RunSettings& settings, std::size_t beads, double cells, double bytes_per_cell);
 
-/// Errors of a lattice run of a scene, by cause.
-struct LatticeErrors {
-  ErrorRange resolution, wander;  ///< resolution_error(), wander_error()
-
-  ErrorRange total() const { return combined(resolution, wander); }
-};
-
 /// Returns the expected errors of a lattice run of the scene. `roundoff`: relative error of the velocity by
 /// roundoff, which the errors by resolution include. Throws InputError if theory cannot evaluate errors of a
 /// swimmer.
-LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const SceneFacts& facts,
-                                   double roundoff);
+RunErrors lattice_run_errors(const SceneOnLattice& on_lattice, const SceneFacts& facts, double roundoff);
 
-/// Returns the largest relative error of the velocity of a mobility run by the roundoff of bead positions x,
-/// from which it computes the displacement in a period T: 4 eps max|x|/(T |v|), as measured with stiff
-/// springs.
-double position_roundoff(const SceneFacts& facts);
-
-/// Returns the expected error of a run with a mobility model. Throws InputError if theory cannot predict the
+/// Returns the expected errors of a run with a mobility model. Throws InputError if theory cannot predict the
 /// motion of a swimmer, or if no mobility model is accurate for the scene.
-ErrorRange mobility_scene_error(const SceneFacts& facts, MobilityModel model,
-                                const MobilitySettings& settings);
+RunErrors mobility_run_errors(const SceneFacts& facts, MobilityModel model, const MobilitySettings& settings);
 
 /// Returns a text with the usual numbers of cells per radius that lattice_runs() leaves out because they do
 /// not fit the box, or an empty string.

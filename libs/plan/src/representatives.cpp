@@ -198,13 +198,13 @@ std::vector<Representative> representatives(const Layout& cell) {
 }
 
 std::optional<SufficientBox> sufficient_box(const Question& question, double tolerance) {
-  const BestPrediction reference = best_prediction(question);
+  Question boxed = question.inertia ? question : with_open_space_motion(question);
+  const BestPrediction reference = best_prediction(boxed);
   const CollinearSwimmer& swimmer = question.swimmer;
   const double length = swimmer.arm[0] + swimmer.arm[1];
   constexpr double factor = 1.2, longest = 20;
   for (double free_length = 0.5 * length; free_length < longest * length; free_length *= factor) {
     const Vec3 lengths = box_around(swimmer, free_length);
-    Question boxed = question;
     boxed.box = box_place_at_centre(lengths);
     double change = INFINITY;  // stays infinite if the box is too narrow for theory
     reason_against([&] { change = difference(best_prediction(boxed), reference).largest(); });

@@ -42,11 +42,12 @@ void choose(RunPlan& plan, const Communicator& communicator) {
   auto& [choice, best] = found;
   for (int r = 0; r < std::ssize(plan.runs); ++r) {
     PlannedRun& run = plan.runs[r];
-    if (run.refused.empty() && !std::isfinite(run.error.limit.largest() + run.core_seconds))
+    if (run.refused.empty() && !std::isfinite(run.errors.limits.total.largest() + run.core_seconds))
       run.refused = "the expected error or the cost of this run is not finite";
     if (!run.refused.empty()) continue;
-    if (best == none || run.error.limit.largest() < plan.runs[best].error.limit.largest()) best = r;
-    if (run.error.limit.largest() > plan.tolerance) continue;
+    if (best == none || run.errors.limits.total.largest() < plan.runs[best].errors.limits.total.largest())
+      best = r;
+    if (run.errors.limits.total.largest() > plan.tolerance) continue;
     if (choice == none || run.core_seconds < plan.runs[choice].core_seconds) choice = r;
   }
   MPI_Bcast(found.data(), found.size(), MPI_INT, 0, communicator.get());
@@ -154,6 +155,7 @@ RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::st
   plan.tolerance = request.tolerance.value_or(default_tolerance);
   plan.ranks = communicator.size();
   const SceneFacts facts = scene_facts(layout, request.settings.cycles);
+  plan.unvalidated = facts.unvalidated;
   plan.runs = mobility_runs(layout, facts, request, source, communicator);
   const bool has_lattices = request.allows(RunModel::lbm);
   if (has_lattices)
@@ -184,7 +186,7 @@ const PlannedRun& choose_run(const RunPlan& plan) {
           "no run has an error limit within {}; the run with the smallest limit, {}, has a limit of {}: "
           "raise the tolerance to that value{}",
           in_percent(plan.tolerance), settings_text(best.settings, plan.request.chosen),
-          in_percent(best.error.limit.largest()),
+          in_percent(best.errors.limits.total.largest()),
           plan.request.is_restart
               ? ""
               : ", leave out settings that exclude other runs, or change the scene as a plan "

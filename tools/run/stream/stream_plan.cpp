@@ -55,9 +55,9 @@ MemberResult plan_member(const StreamMember& member, const RunOptions& options,
   result.findings.failed = 1;
   if (plan.best) {
     const PlannedRun& best = plan.runs[*plan.best];
-    result.note =
-        fmt::format("no run within {}; smallest error: {}, {}", in_percent(plan.tolerance),
-                    settings_text(best.settings, options.chosen), in_percent(best.error.limit.largest()));
+    result.note = fmt::format("no run within {}; smallest error: {}, {}", in_percent(plan.tolerance),
+                              settings_text(best.settings, options.chosen),
+                              in_percent(best.errors.limits.total.largest()));
   } else {
     result.note = "no model can run this layout; see \"refused\" in its plan";
   }

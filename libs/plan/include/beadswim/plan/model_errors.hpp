@@ -29,6 +29,12 @@ struct ErrorRange {
   }
 };
 
+/// Expected errors of a run of a scene: the largest of all its swimmers.
+struct RunErrors {
+  ExpectedErrors limits;
+  ErrorEstimate typical;  ///< as ErrorRange::typical
+};
+
 /// Velocity and arm amplitudes of a swimmer.
 struct PredictedMotion {
   double velocity = 0;                     ///< [length/time]
@@ -94,8 +100,19 @@ ErrorRange resolution_error(const LatticeLag& lag, const std::optional<BestPredi
 /// velocity of a cycle wanders while the swimmer moves through a cell. The limit is two standard deviations.
 ErrorRange wander_error(const std::optional<BestPrediction>& best, const ResolvedRun& run);
 
+/// Returns operation(a, b), separately for the velocity and for each arm amplitude.
+template <class Operation>
+ErrorEstimate merged(const ErrorEstimate& a, const ErrorEstimate& b, const Operation& operation) {
+  return {.velocity = operation(a.velocity, b.velocity),
+          .arm_amplitudes = {operation(a.arm_amplitudes[0], b.arm_amplitudes[0]),
+                             operation(a.arm_amplitudes[1], b.arm_amplitudes[1])}};
+}
+
 /// Returns the root of the sum of squares of two independent errors.
 ErrorRange combined(const ErrorRange& a, const ErrorRange& b);
+
+/// Returns the larger of the errors in `a` and `b`, separately for the velocity and for each arm amplitude.
+ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b);
 
 /// Returns all errors, multiplied by `factor`.
 ErrorEstimate scaled(double factor, ErrorEstimate error);

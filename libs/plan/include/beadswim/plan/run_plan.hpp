@@ -48,7 +48,7 @@ struct PlanRequest {
 struct PlannedRun {
   RunSettings settings;
   std::string refused;  ///< reason why the run is impossible or its result wrong; empty if none
-  ErrorRange error;
+  RunErrors errors;
   double core_seconds = 0;  ///< expected cost with the present number of ranks [core-seconds]
   double memory_bytes = 0;
   double output_bytes = 0;            ///< disk space of trajectory, flow fields and checkpoints
@@ -73,6 +73,7 @@ struct RunPlan {
   std::optional<std::size_t> best;    ///< index in `runs`: run of smallest error; nullopt if all are refused
   std::vector<std::string> hard;      ///< difficulties of the scene, one line each; empty without advice
   std::vector<Proposal> proposals;    ///< smaller scenes; empty without advice
+  std::string unvalidated;  ///< name of a type for which errors have not been validated; empty if none
 };
 
 /// Plans a run of the layout: estimates error and cost of all models and resolutions that the request
@@ -87,12 +88,14 @@ RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::st
 /// InputError with that run. Throws InputError with the reasons if all runs are refused.
 const PlannedRun& choose_run(const RunPlan& plan);
 
-/// Returns the expected errors of a planned run of the layout. Throws InputError with the reason if the
-/// errors are not known.
+// Return the expected errors of a run: of the layout, by its description, or of a run of the plan. Throw
+// InputError with the reason if the errors are not known.
 ExpectedErrors expected_errors(const Layout& layout, const ModelPlan& plan);
+ExpectedErrors expected_errors(const RunPlan& plan, const PlannedRun& run);
 
-/// Sets the expected errors of a planned run. Adds a warning if they are larger than `accepted` or not known.
-void add_expected_errors(ModelPlan& plan, const Layout& layout, double accepted);
+/// Sets the expected errors of a run, which `expected` returns. Adds a warning if they are larger than
+/// `accepted`, or if `expected` throws because they are not known.
+void add_expected_errors(ModelPlan& plan, double accepted, const std::function<ExpectedErrors()>& expected);
 
 /// Formats the plan as text. A table lists all possible runs with mobilities, and those lattice runs for
 /// which no cheaper run has a similar or smaller expected error. Below the table, the text states the meaning
