@@ -299,6 +299,10 @@ results=$BEADSWIM_SOURCE/docs/results
 page=$BEADSWIM_SOURCE/docs/choosing-a-model.md
 jq -rs -f "$results/plan-check.jq" "$results/plan-check.jsonl" >table.md
 check "the page has the records' table" cmp -s table.md <(sed -n '/^<!-- from plan-check.jsonl -->$/,/^<!-- end -->$/p' "$page" | sed '1d;$d')
+jq -rs -f "$results/simplified-scenes.jq" "$results/simplified-scenes.jsonl" >limits.txt
+check "the page has how many errors are within limits" cmp -s limits.txt <(sed -n '/^<!-- from simplified-scenes.jsonl -->$/,/^<!-- end -->$/p' "$page" | sed '1d;$d')
+check "the bead boundaries have the factors on record" test "$(jq -rs -L "$results" --slurpfile resolution "$results/resolution.jsonl" -f "$results/scheme-factors.jq" "$results/scheme-factors.jsonl" |
+  sed -E 's/(.*): cells (.*), wander (.*) \(.*/\1 \2 \3/' | tr '\n' ' ')" = "cli 1.8 2.7 mr 1 1 psm 1.8 0.4 staircase 4.7 7.7 "
 check "no choice was wrong" test -z "$(grep -c 'wrong:' table.md | grep -v '^0$')"
 check "no estimate was below half" test "$(grep -c 'below half: 0' table.md)" = 4
 # The same of the pages on random scenes and on neighbours, of the figure, of the scenes drawn, and of a run.
