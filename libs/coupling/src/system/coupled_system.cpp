@@ -61,6 +61,7 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
   beads_ = exchange_.publish(owned_);
   coverage_.update(beads_);
   find_links_and_contacts();
+  fault_.reset();  // beads that overlap at the start are a fault of the first step
 }
 
 std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
