@@ -10,13 +10,14 @@
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 
-/// Window of a bead: the P mesh points along each axis that receive its Gaussian, and their weights.
-template <int P>
+/// Window of a bead: the P mesh points along each axis that receive its Gaussian, their weights W, and the
+/// derivatives of the weights up to the order `highest` by the mesh coordinate. With the slope g of the
+/// exponent of W, derivative k is h_k W, where h_(k+1) = g h_k + k g' h_(k-1).
+template <int P, int highest>
 struct Window {
   int first[3];
-  double weight[3][P];
-  double offset[3];        ///< from the bead to the first point [mesh spacing]
-  int planes[P], rows[P];  ///< periodic indices; a plane is -1 if another rank owns it
+  int planes[P], rows[P];            ///< periodic indices; a plane is -1 if another rank owns it
+  double weight[highest + 1][3][P];  ///< [derivative][axis][point] [1/length^derivative]
 
   BEADSWIM_KERNEL void set_position(const WindowMesh& mesh, const double* position) {
     for (int a = 0; a < 3; ++a) {
@@ -28,12 +29,24 @@ struct Window {
       first[a] = (is_on_mesh ? static_cast<int>(below) : 0) - P / 2 + 1;
       // Gaussian at window point p: exp(-c (d + p)^2) = exp(-c d^2) exp(-2 c d)^p exp(-c p^2)
       const double d = below - P / 2 + 1 - place;
-      offset[a] = d;
       double power = mesh.height[a] * std::exp(-mesh.decay[a] * d * d);
       const double ratio = std::exp(-2 * mesh.decay[a] * d);
       for (int p = 0; p < P; ++p) {
-        weight[a][p] = power * mesh.decay_at[a][p];
+        weight[0][a][p] = power * mesh.decay_at[a][p];
         power *= ratio;
+      }
+      const double slope = -2 * mesh.decay[a] * mesh.inverse_spacing[a],  // g = slope (d + p)
+          curve = slope * mesh.inverse_spacing[a];                        // g'
+      for (int p = 0; p < P && highest > 0; ++p) {
+        const double g = slope * (d + p);
+        double h = g, h_below = 1;
+#pragma GCC unroll 4
+        for (int k = 1; k <= highest; ++k) {
+          weight[k][a][p] = h * weight[0][a][p];
+          const double next = g * h + k * curve * h_below;
+          h_below = h;
+          h = next;
+        }
       }
       first[a] = wrapped(first[a], mesh.points[a]);
     }
@@ -54,22 +67,14 @@ struct Window {
   }
 };
 
-/// Calls work<P>() for a window of P points along an axis, P = 4, 6, .., max_points.
-template <int P = 4, class Work>
-BEADSWIM_KERNEL void with_window(int window, const Work& work) {
-  if (window == P) {
-    work.template operator()<P>();
-  } else if constexpr (P < WindowMesh::max_points) {
-    with_window<P + 2>(window, work);
+/// Calls work<n>() for n = number, one of first, first + step, ... up to last.
+template <int first, int step, int last, class Work>
+BEADSWIM_KERNEL void with_constant(int number, const Work& work) {
+  if (number == first) {
+    work.template operator()<first>();
+  } else if constexpr (first < last) {
+    with_constant<first + step, step, last>(number, work);
   }
 }
-
-/// Adds the three values of each bead, multiplied by the weights of its window, to the three meshes.
-void spread_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* numbers,
-                    double* const* onto);
-/// Adds to the three values of each bead the sums of the mesh values, multiplied by the weights of its
-/// window.
-void gather_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* const* from,
-                    double* numbers);
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

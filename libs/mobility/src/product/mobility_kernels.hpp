@@ -3,11 +3,12 @@
 #include <cstdint>
 
 #include "beadswim/core/kernel.hpp"
+#include "wall_reflection.hpp"
 
 // Kernels of a mobility product: sums over pairs of spheres, the exchange between beads and a mesh by
 // Gaussian windows, and the flow of Fourier modes of forces. mobility_kernels.cpp is compiled once per
-// instruction set; mobility_kernels() selects one at run time. Arguments are plain arrays, with three
-// components per vector unless stated otherwise.
+// instruction set; best_kernels() selects one at run time. Arguments are plain arrays, with three components
+// per vector unless stated otherwise. Sources and flows: force_moments.hpp.
 
 namespace beadswim {
 
@@ -56,11 +57,35 @@ struct WindowMesh {
   double decay_at[3][max_points]{};  ///< exp(-decay p^2), p = 0, 1, ...
 };
 
-/// Positions of `count` beads, three coordinates per bead [length]. The kernels process three values per
-/// bead, such as force components, each with its own mesh.
+/// Positions of `count` beads or points, three coordinates each [length].
 struct WindowBeads {
   long count = 0;
   const double* positions = nullptr;
+};
+
+/// Up to 8 spheres, one in each lane, whose flow at a point or at another sphere is needed. The vector r is
+/// the position of the receiver minus the position of the sphere. Unused lanes contain a copy of another
+/// sphere and sources of zero.
+struct SourceLanes {
+  double r[3][lanes];
+  /// ((1/r) d/dr)^n of chi, of its Laplacian and of its second Laplacian, divided by 8 pi eta. chi[0] is not
+  /// used.
+  double chi[9][lanes], laplacian[9][lanes], bilaplacian[7][lanes];
+  double source[30][lanes];
+  double size[3][lanes];  ///< c_l a^2 of the spheres
+};
+
+/// The sphere at which the flow of SourceLanes is needed.
+struct OneSphere {
+  const double* source;
+  double size[3];
+  double* flow;  ///< the flow of the other spheres is added to it
+};
+
+/// Sum of the flows of many spheres at a mirror point, with one part of the sum in each lane.
+struct MirrorFlowParts {
+  double velocity[3][derivative_count(2)][lanes]{};
+  double across[MirrorFlow::max_count][lanes]{}, pressure[MirrorFlow::max_count][lanes]{};
 };
 
 /// A row of wavevectors (kx, ky, kz) of a mesh. Their Fourier modes are stored as real numbers: the real and
@@ -88,6 +113,19 @@ struct MobilityKernels {
   /// Sets the velocities of the other spheres of a batch that the force on the one sphere causes. Adds to
   /// `velocity` the velocity of the one sphere that the forces on the other spheres cause.
   void (*pair_velocities)(const PairTable&, const double* force, PairBatch&, double* velocity);
+  /// Evaluates the flows of all pairs in both directions, for moments up to `order`, 1 or 2. Sets `at_others`
+  /// to the flow of the one sphere at the other spheres.
+  void (*moment_pairs)(int order, const OneSphere&, const SourceLanes& others, double (*at_others)[lanes]);
+  /// Adds the flow of the sources at the mirror point of a sphere. `axis`: of the wall's normal.
+  void (*mirror_flow)(int order, int axis, const SourceLanes&, bool has_bilaplacian, MirrorFlowParts&);
+  /// Adds the derivatives of the windows of the beads, multiplied by `sources`, to the three meshes.
+  /// `sources`: 3 * derivative_count(order) numbers per bead, for an order up to 2.
+  void (*spread)(int order, const WindowMesh&, const WindowBeads&, const double* sources,
+                 double* const* onto);
+  /// Adds to `flows` the derivatives up to `order`, at most 4, of the values of several meshes at the beads,
+  /// interpolated with their windows and divided by the volume of a mesh cell.
+  void (*gather)(int order, const WindowMesh&, const WindowBeads&, int meshes, const double* const* from,
+                 double* flows);
   // clang-format off
   /// Replaces the Fourier modes of the sources of each field by those of their flow. `values`: three components
   /// per field.

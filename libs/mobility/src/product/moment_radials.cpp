@@ -1,6 +1,6 @@
 #include "moment_radials.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -184,6 +184,32 @@ MomentRadials overlap_radials(int l, int m, double a, double b, double r, double
     add_derivatives(c * n * (n - 1), k - 2, v, r, f.laplacian);
   }
   return f;
+}
+
+void set_lane(SourceLanes& spheres, int lane, const Vec3& r, const MomentRadials& radials,
+              const std::array<double, 3>& sizes, std::span<const double> source) {
+  for (int a = 0; a < 3; ++a) {
+    spheres.r[a][lane] = r[a];
+    spheres.size[a][lane] = sizes[a];
+  }
+  for (int n = 0; n <= highest_of_mirrors; ++n) {
+    spheres.chi[n][lane] = radials.chi[n];
+    spheres.laplacian[n][lane] = radials.laplacian[n];
+    if (n <= highest_of_mirrors - 2) spheres.bilaplacian[n][lane] = radials.bilaplacian[n];
+  }
+  for (std::size_t k = 0; k < source.size(); ++k) spheres.source[k][lane] = source[k];
+}
+
+void clear_lanes(SourceLanes& spheres, int used) {
+  const auto copy_first = [&](auto& rows) {
+    for (auto& row : rows) std::fill(row + used, row + lanes, row[0]);
+  };
+  copy_first(spheres.r);
+  copy_first(spheres.chi);
+  copy_first(spheres.laplacian);
+  copy_first(spheres.bilaplacian);
+  for (auto& size : spheres.size) std::fill(size + used, size + lanes, 0.0);
+  for (auto& source : spheres.source) std::fill(source + used, source + lanes, 0.0);
 }
 
 }  // namespace beadswim

@@ -1,5 +1,11 @@
 #pragma once
 
+#include <array>
+#include <span>
+
+#include "beadswim/core/vec3.hpp"
+#include "mobility_kernels.hpp"
+
 // clang-format off
 // Radial functions of the flow of force moments (moment_flow.hpp): chi of the Oseen tensor, its Laplacian and its
 // second Laplacian, each with its derivatives by (1/r) d/dr. In open space chi = r. An Ewald sum splits chi = near + far
@@ -49,5 +55,11 @@ MomentRadials far_radials(double xi, double r, double viscosity);
 /// Radial functions of moments of the degrees l and m on two spheres of radii a and b that overlap at the
 /// distance r > 0; bilaplacian is not set.
 MomentRadials overlap_radials(int l, int m, double a, double b, double r, double viscosity);
+
+/// Sets a lane to a sphere: vector from the sphere to the receiver, radial functions, c_l a^2 and source.
+void set_lane(SourceLanes& spheres, int lane, const Vec3& r, const MomentRadials& radials,
+              const std::array<double, 3>& sizes, std::span<const double> source);
+/// Sets the lanes from `used` on to copies of the first one without source.
+void clear_lanes(SourceLanes& spheres, int used);
 
 }  // namespace beadswim

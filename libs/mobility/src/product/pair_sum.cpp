@@ -5,22 +5,9 @@
 #include <numeric>
 
 #include "moment_flow.hpp"
-#include "moment_kernels.hpp"
 #include "moment_radials.hpp"
 
 namespace beadswim {
-namespace {
-
-void set_radials(MomentPairs& pairs, int lane, const MomentRadials& radials) {
-  for (int n = 0; n <= highest_of_pairs; ++n) {
-    pairs.chi[n][lane] = radials.chi[n];
-    pairs.laplacian[n][lane] = radials.laplacian[n];
-    if (n <= highest_of_pairs - 2) pairs.bilaplacian[n][lane] = radials.bilaplacian[n];
-  }
-}
-
-}  // namespace
-
 PairSum::PairSum(const ImagedSpheres& spheres, const std::optional<EwaldPlan>& plan, double min_distance)
     : spheres_(spheres), xi_(plan ? plan->xi : 0), cutoff_(plan ? plan->cutoff : 0) {
   if (plan && spheres.order == 0) table_.emplace(spheres, xi_, cutoff_, min_distance);
@@ -28,22 +15,28 @@ PairSum::PairSum(const ImagedSpheres& spheres, const std::optional<EwaldPlan>& p
 
 void PairSum::set_positions(std::span<const Vec3> positions, std::size_t receivers) {
   if (xi_ > 0) {
-    search_.emplace(positions, receivers, cutoff_, spheres_.lengths);
-    order_ = search_->order();
+    cells_.emplace(positions, cutoff_, spheres_.lengths);
+    order_ = cells_->order();
   } else {
-    places_.assign(positions.begin(), positions.end());
     order_.resize(positions.size());
     std::iota(order_.begin(), order_.end(), 0);
   }
+  for (auto& coordinate : coordinates_) coordinate.clear();
+  is_receiver_.clear();
   radii_.clear();
-  for (const int sphere : order_) radii_.push_back(spheres_.radii[sphere]);
+  for (const int sphere : order_) {
+    for (int a = 0; a < 3; ++a) coordinates_[a].push_back(positions[sphere][a]);
+    is_receiver_.push_back(static_cast<std::size_t>(sphere) < receivers ? 1 : 0);
+    radii_.push_back(spheres_.radii[sphere]);
+  }
 }
 
 /// Sources and flows of all spheres, in the order of the sum, and the current pairs of one sphere.
 struct PairSum::Work {
   std::vector<double> sources, flows;
   PairBatch batch;
-  MomentPairs pairs;
+  SourceLanes pairs;
+  double at_others[30][lanes];
   int count = 0;  ///< lanes in use
   int one = 0;    ///< the one sphere of the pairs
   std::array<int, lanes> other{};
@@ -57,20 +50,42 @@ void PairSum::add_flows(std::span<const double> sources, std::span<double> flows
   work.flows.resize(sources.size(), 0.0);
   for (std::size_t s = 0; s < order_.size(); ++s)
     std::copy_n(&sources[n * order_[s]], n, &work.sources[n * s]);
-  if (search_) {
-    search_->for_each_batch(work.batch, communicator, [&](int one) { add_batch(work, one); });
-  } else {
-    for (int i = communicator.rank(); i < std::ssize(places_); i += communicator.size()) {
-      for (int j = i + 1; j < std::ssize(places_); ++j) {
-        const Vec3 d = places_[i] - places_[j];
-        add_pair(work, i, j, d, d.norm());
-      }
-    }
-  }
+  cells_ ? add_near_pairs(work, communicator) : add_all_pairs(work, communicator);
   flush(work);
   for (std::size_t s = 0; s < order_.size(); ++s)
-    if (n * order_[s] < flows.size())
+    if (is_receiver_[s] != 0)
       for (std::size_t k = 0; k < n; ++k) flows[n * order_[s] + k] += work.flows[n * s + k];
+}
+
+/// Adds this rank's share of all pairs.
+void PairSum::add_all_pairs(Work& work, const Communicator& communicator) const {
+  const auto& [x, y, z] = coordinates_;
+  for (int i = communicator.rank(); i < std::ssize(order_); i += communicator.size()) {
+    for (int j = i + 1; j < std::ssize(order_); ++j) {
+      const Vec3 d(x[i] - x[j], y[i] - y[j], z[i] - z[j]);
+      add_pair(work, i, j, d, d.norm());
+    }
+  }
+}
+
+/// Adds this rank's share of the pairs within the cutoff of which at least one sphere is a receiver.
+void PairSum::add_near_pairs(Work& work, const Communicator& communicator) const {
+  const auto& [x, y, z] = coordinates_;
+  const Vec3& lengths = spheres_.lengths;
+  const SortedSpheres spheres{.x = x.data(),
+                              .y = y.data(),
+                              .z = z.data(),
+                              .is_receiver = is_receiver_.data(),
+                              .lengths = {lengths[0], lengths[1], lengths[2]}};
+  const auto find_near_spheres = best_kernels<MobilityKernels>().find_near_spheres;
+  const auto [first, last] = rank_share(std::ssize(order_), communicator.rank(), communicator.size());
+  for (int one = static_cast<int>(first); one < last; ++one) {
+    cells_->for_each_range_after(one, [&](int begin, int end) {
+      while ((begin = find_near_spheres(spheres, one, begin, end, cutoff_, work.batch)) < end)
+        add_batch(work, one);
+    });
+    add_batch(work, one);
+  }
 }
 
 /// Adds a batch of pairs of the sphere `one`: by the table, pairs that it lacks one by one.
@@ -117,12 +132,8 @@ void PairSum::add_pair(Work& work, int one, int other, const Vec3& d, double r) 
                                            : near_radials(xi_, r, spheres_.viscosity);
   const int lane = work.count++;
   work.other[lane] = other;
-  for (int a = 0; a < 3; ++a) work.pairs.r[a][lane] = d[a];
-  set_radials(work.pairs, lane, radials);
-  const std::array<double, 3> size = moment_sizes(radii_[other]);
-  for (int l = 0; l < 3; ++l) work.pairs.size[l][lane] = size[l];
   const std::size_t n = spheres_.elements();
-  for (std::size_t k = 0; k < n; ++k) work.pairs.source[k][lane] = work.sources[n * other + k];
+  set_lane(work.pairs, lane, d, radials, moment_sizes(radii_[other]), {&work.sources[n * other], n});
 }
 
 /// Adds a pair of spheres with forces alone.
@@ -174,37 +185,30 @@ void PairSum::add_overlap(Work& work, int one, int other, const Vec3& d) const {
 /// Adds the flow of the current pairs.
 void PairSum::flush(Work& work) const {
   if (work.count == 0) return;
-  MomentPairs& pairs = work.pairs;
-  for (int lane = work.count; lane < lanes; ++lane) {  // copies without sources
-    for (auto& component : pairs.r) component[lane] = component[0];
-    for (auto* functions : {pairs.chi, pairs.laplacian})
-      for (int n = 0; n < 7; ++n) functions[n][lane] = functions[n][0];
-    for (auto& function : pairs.bilaplacian) function[lane] = function[0];
-    for (auto& size : pairs.size) size[lane] = 0;
-    for (auto& source : pairs.source) source[lane] = 0;
-  }
+  clear_lanes(work.pairs, work.count);
   const std::size_t n = spheres_.elements();
   OneSphere one{.source = &work.sources[n * work.one], .size = {}, .flow = &work.flows[n * work.one]};
   std::ranges::copy(moment_sizes(radii_[work.one]), one.size);
-  best_kernels<MomentKernels>().moment_pairs(spheres_.order, one, pairs);
+  best_kernels<MobilityKernels>().moment_pairs(spheres_.order, one, work.pairs, work.at_others);
   for (int lane = 0; lane < work.count; ++lane)
-    for (std::size_t k = 0; k < n; ++k) work.flows[n * work.other[lane] + k] += pairs.flow[k][lane];
+    for (std::size_t k = 0; k < n; ++k) work.flows[n * work.other[lane] + k] += work.at_others[k][lane];
   work.count = 0;
 }
 
 void PairSum::subtract_far_flow(std::span<const double> sources, std::span<double> flows) const {
   const std::size_t n = spheres_.elements();
-  MomentPairs pairs{};
-  set_radials(pairs, 0, far_radials(xi_, 0, spheres_.viscosity));
+  const MomentRadials radials = far_radials(xi_, 0, spheres_.viscosity);
+  SourceLanes lane{};
+  double at_other[30][lanes];
   const std::vector<double> none(n, 0.0);
   std::vector<double> flow(n);
   for (std::size_t b = 0; n * b < flows.size(); ++b) {
     const std::array<double, 3> size = moment_sizes(spheres_.radii[b]);
     std::ranges::fill(flow, 0.0);
     OneSphere one{.source = none.data(), .size = {}, .flow = flow.data()};
-    for (int l = 0; l < 3; ++l) one.size[l] = pairs.size[l][0] = size[l];
-    for (std::size_t k = 0; k < n; ++k) pairs.source[k][0] = sources[n * b + k];
-    best_kernels<MomentKernels>().moment_pairs(spheres_.order, one, pairs);
+    std::ranges::copy(size, one.size);
+    set_lane(lane, 0, Vec3::Zero(), radials, size, sources.subspan(n * b, n));
+    best_kernels<MobilityKernels>().moment_pairs(spheres_.order, one, lane, at_other);
     for (std::size_t k = 0; k < n; ++k) flows[n * b + k] -= flow[k];
   }
 }

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "beadswim/core/cell_list.hpp"
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
 #include "imaged_spheres.hpp"
-#include "near_search.hpp"
 #include "tensor_table.hpp"
 
 namespace beadswim {
@@ -32,6 +33,8 @@ class PairSum {
 
  private:
   struct Work;
+  void add_all_pairs(Work& work, const Communicator& communicator) const;
+  void add_near_pairs(Work& work, const Communicator& communicator) const;
   void add_batch(Work& work, int one) const;
   void add_pair(Work& work, int one, int other, const Vec3& d, double r) const;
   void add_forces(Work& work, int one, int other, const Vec3& d, double r) const;
@@ -41,10 +44,12 @@ class PairSum {
   ImagedSpheres spheres_;
   double xi_, cutoff_;                  ///< of the Ewald sum; 0: all pairs in open space
   std::optional<TensorTable> table_{};  ///< of forces without moments; nullopt: moments, or all pairs
-  std::optional<NearSearch> search_{};  ///< nullopt: all pairs
-  std::vector<int> order_;              ///< spheres and images in the order of the sum
-  std::vector<Vec3> places_;            ///< in this order, if all pairs are summed [length]
-  std::vector<double> radii_;           ///< in this order [length]
+  std::optional<CellList> cells_{};     ///< nullopt: all pairs
+  // Of the spheres and images in the order of the sum, by cells.
+  std::vector<int> order_;  ///< index of each sphere
+  std::array<std::vector<double>, 3> coordinates_;
+  std::vector<unsigned char> is_receiver_;
+  std::vector<double> radii_;
 };
 
 }  // namespace beadswim

@@ -8,7 +8,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
-#include "moment_kernels.hpp"
+#include "mobility_kernels.hpp"
 
 namespace beadswim {
 
@@ -235,8 +235,8 @@ void ParticleMesh::read_sources(std::span<const double> sources) {
       onto[c] = values_[f][c].get();
       std::fill_n(onto[c], transform_->reals(), 0.0);
     }
-    best_kernels<MomentKernels>().spread_moments(spheres_.order, geometry_, sources_.windows(), sorted.data(),
-                                                 onto.data());
+    best_kernels<MobilityKernels>().spread(spheres_.order, geometry_, sources_.windows(), sorted.data(),
+                                           onto.data());
   }
   for (auto& field : values_)
     for (FftwArray& component : field) transform_->forward(component);
@@ -253,12 +253,12 @@ void ParticleMesh::multiply(FlowPart part) {
 
 void ParticleMesh::gather(std::span<double> flows) const {
   const std::size_t elements = spheres_.elements(), count = elements / 3;
-  const double volume = spacing_[0] * spacing_[1] * spacing_[2];
+  const double volume = cell_volume();
   for (std::size_t f = 0; f < fields_; ++f) {
     const std::array<const double*, 3> from{values_[f][0].get(), values_[f][1].get(), values_[f][2].get()};
     std::vector<double> sums(elements * receivers_.order.size(), 0.0);
-    best_kernels<MomentKernels>().gather_moments(spheres_.order, geometry_, receivers_.windows(), from.data(),
-                                                 sums.data());
+    best_kernels<MobilityKernels>().gather(spheres_.order, geometry_, receivers_.windows(), 3, from.data(),
+                                           sums.data());
     for (std::size_t s = 0; s < receivers_.order.size(); ++s) {
       const int bead = receivers_.order[s];
       for (std::size_t n = 0; n < elements; ++n)
@@ -280,13 +280,30 @@ void ParticleMesh::add_flows_and_mirrors(std::span<const double> sources, std::s
   multiply(FlowPart::forces);
   transform_->backward(pressure_);
   gather(flows);
-  std::vector<MirrorFlow> sums(mirrors_.order.size());
-  const std::array<const double*, 4> from{values_[0][0].get(), values_[0][1].get(), values_[0][2].get(),
-                                          pressure_.get()};
-  best_kernels<MomentKernels>().gather_mirror_flows(spheres_.order, half_space_->axis, geometry_,
-                                                    mirrors_.windows(), from.data(), sums.data());
-  const double volume = spacing_[0] * spacing_[1] * spacing_[2];
-  for (std::size_t s = 0; s < sums.size(); ++s) at_mirrors[mirrors_.order[s]].add(volume, sums[s]);
+  gather_mirrors(at_mirrors);
+}
+
+void ParticleMesh::gather_mirrors(std::span<MirrorFlow> at_mirrors) const {
+  const std::size_t points = mirrors_.order.size(), elements = spheres_.elements(), count = elements / 3;
+  const std::size_t high = derivative_count(spheres_.order + 2);
+  std::vector<double> velocities(elements * points, 0.0), others(2 * high * points, 0.0);
+  const auto& [x, y, z] = values_[0];
+  const std::array<const double*, 3> components{x.get(), y.get(), z.get()};
+  const std::array<const double*, 2> across{components[half_space_->axis], pressure_.get()};
+  const auto gather = best_kernels<MobilityKernels>().gather;
+  gather(spheres_.order, geometry_, mirrors_.windows(), 3, components.data(), velocities.data());
+  gather(spheres_.order + 2, geometry_, mirrors_.windows(), 2, across.data(), others.data());
+  const double volume = cell_volume();
+  for (std::size_t s = 0; s < points; ++s) {
+    MirrorFlow& flow = at_mirrors[mirrors_.order[s]];
+    for (int c = 0; c < 3; ++c)
+      for (std::size_t d = 0; d < count; ++d)
+        flow.velocity[c][d] += volume * velocities[elements * s + c * count + d];
+    for (std::size_t d = 0; d < high; ++d) {
+      flow.across[d] += volume * others[2 * high * s + d];
+      flow.pressure[d] += volume * others[2 * high * s + high + d];
+    }
+  }
 }
 
 /// Returns the factors of each field in F and in D.

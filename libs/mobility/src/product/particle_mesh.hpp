@@ -96,6 +96,7 @@ class ParticleMesh {
   void set_points(const std::array<int, 3>& points);
   void fit_to(std::span<const Vec3> positions);
   double share(int axis) const;
+  double cell_volume() const { return spacing_[0] * spacing_[1] * spacing_[2]; }
   void set_memory(const FluidMemory& memory);
   template <class Sample>
   void for_each_displacement(const Sample& sample) const;
@@ -105,6 +106,7 @@ class ParticleMesh {
   void set_pressure();
   double weight_of(std::size_t field, int bead, std::size_t derivative) const;
   void gather(std::span<double> flows) const;
+  void gather_mirrors(std::span<MirrorFlow> at_mirrors) const;
   void multiply(FlowPart part);
   std::vector<FieldFactors> field_factors() const;
   void multiply_periodic();

@@ -3,7 +3,6 @@
 #include <numeric>
 
 #include "beadswim/mobility/wall_mobility.hpp"
-#include "moment_kernels.hpp"
 #include "moment_radials.hpp"
 
 namespace beadswim {
@@ -17,29 +16,22 @@ void WallImages::set_positions(std::span<const Vec3> positions) {
 
 void WallImages::add_flow_at_mirror(std::span<const double> sources, std::span<const int> spheres,
                                     const Vec3& point, MirrorFlow& flow) const {
-  const int numbers = static_cast<int>(spheres_.elements()), highest = 2 * spheres_.order + 4;
-  PointSources batch{};
+  const std::size_t elements = spheres_.elements();
+  const int highest = 2 * spheres_.order + 4;
+  SourceLanes batch{};
   MirrorFlowParts parts;
-  batch.has_bilaplacian = uses_mesh();
   for (std::size_t first = 0; first < spheres.size(); first += lanes) {
-    for (int lane = 0; lane < lanes; ++lane) {
-      const bool is_used = first + lane < spheres.size();
-      const int sphere = spheres[is_used ? first + lane : first];
+    const int used = static_cast<int>(std::min<std::size_t>(lanes, spheres.size() - first));
+    for (int lane = 0; lane < used; ++lane) {
+      const int sphere = spheres[first + lane];
       const Vec3 r = point - places_[sphere];
-      const MomentRadials radials = uses_mesh()
-                                        ? near_radials(plan_->xi, r.norm(), spheres_.viscosity, highest)
-                                        : open_radials(r.norm(), spheres_.viscosity, highest);
-      for (int a = 0; a < 3; ++a) batch.r[a][lane] = r[a];
-      for (int n = 0; n <= highest; ++n) {
-        batch.chi[n][lane] = radials.chi[n];
-        batch.laplacian[n][lane] = radials.laplacian[n];
-        if (n <= highest - 2) batch.bilaplacian[n][lane] = radials.bilaplacian[n];
-      }
-      const std::array<double, 3> sizes = moment_sizes(spheres_.radii[sphere]);
-      for (int l = 0; l < 3; ++l) batch.size[l][lane] = sizes[l];
-      for (int k = 0; k < numbers; ++k) batch.source[k][lane] = is_used ? sources[numbers * sphere + k] : 0;
+      set_lane(batch, lane, r,
+               uses_mesh() ? near_radials(plan_->xi, r.norm(), spheres_.viscosity, highest)
+                           : open_radials(r.norm(), spheres_.viscosity, highest),
+               moment_sizes(spheres_.radii[sphere]), sources.subspan(elements * sphere, elements));
     }
-    best_kernels<MomentKernels>().mirror_flow(spheres_.order, half_space_.axis, batch, parts);
+    clear_lanes(batch, used);
+    best_kernels<MobilityKernels>().mirror_flow(spheres_.order, half_space_.axis, batch, uses_mesh(), parts);
   }
   const auto add = [](double& to, const double* part) {
     for (int lane = 0; lane < lanes; ++lane) to += part[lane];

@@ -37,15 +37,6 @@ struct MirrorFlow {
   static constexpr int max_count = derivative_count(4);
   double velocity[3][derivative_count(2)]{};
   double across[max_count]{}, pressure[max_count]{};
-
-  void add(double factor, const MirrorFlow& other) {
-    for (int c = 0; c < 3; ++c)
-      for (int d = 0; d < derivative_count(2); ++d) velocity[c][d] += factor * other.velocity[c][d];
-    for (int d = 0; d < max_count; ++d) {
-      across[d] += factor * other.across[d];
-      pressure[d] += factor * other.pressure[d];
-    }
-  }
 };
 
 /// Adds the flow w at a sphere, with the factors P_l (force_moments.hpp), to `flow`.

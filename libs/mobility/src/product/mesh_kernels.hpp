@@ -1,0 +1,161 @@
+#pragma once
+
+#include "mesh_window.hpp"
+
+// Kernels of the mesh. Only for files that are compiled once per instruction set.
+
+namespace beadswim::BEADSWIM_INSTRUCTION_SET {
+
+template <int P, int order>
+BEADSWIM_KERNEL void spread_of(const WindowMesh& mesh, const WindowBeads& beads, const double* sources,
+                               double* const* onto) {
+  constexpr int count = derivative_count(order);
+  Window<P, order> w;
+  for (long b = 0; b < beads.count; ++b) {
+    w.set_position(mesh, beads.positions + 3 * b);
+    const bool wraps = w.wraps(mesh);
+    for (int c = 0; c < 3; ++c) {
+      double source[count];
+      for (int d = 0; d < count; ++d) source[d] = sources[(3 * b + c) * count + d];
+      for (int p = 0; p < P; ++p) {
+        if (w.planes[p] < 0) continue;
+        for (int q = 0; q < P; ++q) {
+          double along[order + 1];  // factors of the weights along z and of their derivatives
+#pragma GCC unroll 10
+          for (int d = 0; d < count; ++d) {
+            const auto& [i, j, k] = derivative_table.degree[d];
+            const double factor = source[d] * w.weight[i][0][p] * w.weight[j][1][q];
+            along[k] = i + j == 0 ? factor : along[k] + factor;
+          }
+          const auto value = [&](int s) __attribute__((always_inline)) {
+            double sum = along[0] * w.weight[0][2][s];
+            for (int k = 1; k <= order; ++k) sum += along[k] * w.weight[k][2][s];
+            return sum;
+          };
+          double* const row = onto[c] + w.row(mesh, p, q);
+          if (wraps) {
+            for (int s = 0; s < P; ++s) row[w.wrapped(w.first[2] + s, mesh.points[2])] += value(s);
+          } else {
+            double* const at = row + w.first[2];
+#pragma GCC ivdep
+            for (int s = 0; s < P; ++s) at[s] += value(s);
+          }
+        }
+      }
+    }
+  }
+}
+
+template <int P, int order>
+BEADSWIM_KERNEL void gather_of(const WindowMesh& mesh, const WindowBeads& beads, int components,
+                               const double* const* from, double* flows) {
+  constexpr int count = derivative_count(order);
+  const auto across = [](int i, int j) { return i * (2 * order + 3 - i) / 2 + j; };
+  Window<P, order> w;
+  for (long b = 0; b < beads.count; ++b) {
+    w.set_position(mesh, beads.positions + 3 * b);
+    const bool wraps = w.wraps(mesh);
+    for (int c = 0; c < components; ++c) {
+      // Sums over the window points of the first two axes, weighted by the derivatives (i, j) along them.
+      double along[(order + 1) * (order + 2) / 2][P]{};
+      for (int p = 0; p < P; ++p) {
+        if (w.planes[p] < 0) continue;
+        for (int q = 0; q < P; ++q) {
+          const double* const row = from[c] + w.row(mesh, p, q);
+          const auto add = [&](const auto& value) __attribute__((always_inline)) {
+#pragma GCC unroll 5
+            for (int i = 0; i <= order; ++i) {
+#pragma GCC unroll 5
+              for (int j = 0; j <= order - i; ++j) {
+                const double weight = w.weight[i][0][p] * w.weight[j][1][q];
+#pragma GCC ivdep
+                for (int s = 0; s < P; ++s) along[across(i, j)][s] += weight * value(s);
+              }
+            }
+          };
+          if (wraps) {
+            add([&](int s) { return row[w.wrapped(w.first[2] + s, mesh.points[2])]; });
+          } else {
+            add([at = row + w.first[2]](int s) { return at[s]; });
+          }
+        }
+      }
+      // The window depends on mesh point minus bead position: odd derivatives by the bead position have the
+      // opposite sign.
+      double* const flow = flows + (components * b + c) * count;
+      for (int d = 0; d < count; ++d) {
+        const auto& [i, j, k] = derivative_table.degree[d];
+        double sum = 0;
+        for (int s = 0; s < P; ++s) sum += along[across(i, j)][s] * w.weight[k][2][s];
+        flow[d] += derivative_table.order[d] % 2 == 0 ? sum : -sum;
+      }
+    }
+  }
+}
+
+void spread(int order, const WindowMesh& mesh, const WindowBeads& beads, const double* sources,
+            double* const* onto) {
+  with_constant<0, 1, 2>(
+      order, [&]<int n>() __attribute__((always_inline)) {
+        with_constant<4, 2, WindowMesh::max_points>(
+            mesh.window, [&]<int P>()
+                             __attribute__((always_inline)) { spread_of<P, n>(mesh, beads, sources, onto); });
+      });
+}
+
+void gather(int order, const WindowMesh& mesh, const WindowBeads& beads, int components,
+            const double* const* from, double* flows) {
+  with_constant<0, 1, 4>(
+      order, [&]<int n>() __attribute__((always_inline)) {
+        with_constant<4, 2, WindowMesh::max_points>(
+            mesh.window, [&]<int P>() __attribute__((always_inline)) {
+              gather_of<P, n>(mesh, beads, components, from, flows);
+            });
+      });
+}
+
+void multiply_waves(const WaveRow& row, int fields, const FieldFactors* factors, double* const* values) {
+  constexpr int chunk = 64;
+  double k2[chunk], inverse[chunk], F[3][chunk], D[3][chunk];
+  const double kx = row.kx, ky = row.ky, width = 1 / (4 * row.xi * row.xi);
+  for (long begin = 0; begin < row.count; begin += chunk) {
+    const int n = row.count - begin < chunk ? static_cast<int>(row.count - begin) : chunk;
+    const double* const kz = row.kz + begin;
+    for (int t = 0; t < n; ++t) {
+      k2[t] = kx * kx + ky * ky + kz[t] * kz[t];
+      inverse[t] = k2[t] > 0 ? 1 / k2[t] : 0;
+    }
+    for (int c = 0; c < 3; ++c) {
+      for (int t = 0; t < n; ++t) F[c][t] = D[c][t] = 0;
+      for (int f = 0; f < fields; ++f) {
+        const auto [p, q] = factors[f];
+        const double* const source = values[3 * f + c] + begin;
+        for (int t = 0; t < n; ++t) {
+          F[c][t] += p * source[t];
+          D[c][t] += q * source[t];
+        }
+      }
+    }
+    for (int t = 0; t < n; ++t) {
+      const double f = (kx * F[0][t] + ky * F[1][t] + kz[t] * F[2][t]) * inverse[t],
+                   d = (kx * D[0][t] + ky * D[1][t] + kz[t] * D[2][t]) * inverse[t];
+      const double k[3]{kx, ky, kz[t]};
+      const double K = row.scale * row.decay[begin + t] * (1 + k2[t] * width) * inverse[t];
+      for (int c = 0; c < 3; ++c) {
+        const double size = K * k2[t] / 6;
+        F[c][t] -= f * k[c];
+        D[c][t] = K * F[c][t] - size * (D[c][t] - d * k[c]);
+        F[c][t] *= size;
+      }
+    }
+    for (int f = 0; f < fields; ++f) {
+      const auto [p, q] = factors[f];
+      for (int c = 0; c < 3; ++c) {
+        double* const flow = values[3 * f + c] + begin;
+        for (int t = 0; t < n; ++t) flow[t] = p * D[c][t] - q * F[c][t];
+      }
+    }
+  }
+}
+
+}  // namespace beadswim::BEADSWIM_INSTRUCTION_SET
