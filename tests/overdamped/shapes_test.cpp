@@ -177,7 +177,7 @@ TEST(Shapes, SwimOnTheHelixOfTheory) {
   for (const SwimmerType& type : {tetrahedron(), odd}) {
     const ShapeMotion motion =
         periodic_motion({type, Eigen::Matrix3d::Identity(), 1.0 / 3}, rotne_prager_tensor);
-    const Helix theory = helix_of(motion.angular_velocity * period, motion.velocity * period);
+    const Helix theory = helix_of(motion.angular_velocity * period, motion.velocity_vector * period);
     EXPECT_GT(std::min(theory.pitch, theory.across), 1e-3);
     const double coarse = farthest(helix_of(lone(type, 100), 8), theory);
     const double fine = farthest(helix_of(lone(type, 200), 8), theory);

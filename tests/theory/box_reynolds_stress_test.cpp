@@ -6,7 +6,7 @@
 
 #include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/complex.hpp"
-#include "beadswim/theory/perturbation.hpp"
+#include "beadswim/theory/linear_response.hpp"
 #include "scenes.hpp"
 
 namespace beadswim {
@@ -28,7 +28,7 @@ Eigen::Vector3d in_box(const CollinearSwimmer& swimmer, const Box& box) {
 TEST(ReynoldsVelocitiesInBox, ApproachThoseInOpenSpace) {
   constexpr double mesh_and_images = 0.04;
   for (const CollinearSwimmer& swimmer : {paper_swimmer(700), paper_swimmer(1500), unequal_swimmer()}) {
-    const Eigen::Vector3d towing = rigid_force_distribution(rest_mobility(swimmer, rotne_prager).value);
+    const Eigen::Vector3d towing = towing_forces(rest_mobility(swimmer, rotne_prager).value);
     const double open = reynolds_stress_velocity(reynolds_stress_form(swimmer, 1, towing).total, some_force);
     EXPECT_NEAR(towing.dot(in_box(swimmer, periodic_box(260, 220, 220))) / open, 1, mesh_and_images);
   }

@@ -95,7 +95,7 @@ SmallAmplitudeLimit limit_of(CollinearSwimmer s, double size, double scale) {
 void expect_equal_motion(const CollinearSwimmer& swimmer, PairLaw law, double size) {
   constexpr double truncation = 1e-6;  // relative: amplitude^4 after extrapolation, time step^4
   const SmallAmplitudeLimit integrated = limit_of(swimmer, size, 0.02);
-  const SecondOrderMotion expanded = second_order_motion(swimmer, rest_mobility(swimmer, law));
+  const PeriodicMotion expanded = second_order_motion(swimmer, rest_mobility(swimmer, law));
   EXPECT_NEAR(expanded.velocity / integrated.velocity, 1, truncation);
   EXPECT_NEAR(expanded.arm_changes[0] / integrated.arm_changes[0], 1, truncation);
   EXPECT_NEAR(expanded.arm_changes[1] / integrated.arm_changes[1], 1, truncation);

@@ -39,11 +39,11 @@ TEST(ShapesOverAWall, ATowedBeadMovesAsByTheFormula) {
     const double across = 1 - (9 / H - 4 / std::pow(H, 3) + 1 / std::pow(H, 5)) / 8;
     for (const Vec3& force : {Vec3(1e-4, 0, 0), Vec3(0, 0, -1e-4), Vec3(1e-4, 2e-4, 1e-4)}) {
       const Vec3 expected = stokes * force.cwiseProduct(Vec3(along, along, across));
-      const Vec3 rpy = periodic_motion(towed_bead(force, H), rotne_prager_tensor).velocity;
+      const Vec3 rpy = periodic_motion(towed_bead(force, H), rotne_prager_tensor).velocity_vector;
       EXPECT_LT((rpy - expected).norm(), 1e-6 * expected.norm());
       const Vec3 of_points =
           stokes * force.cwiseProduct(Vec3(1 - 9 / (16 * H), 1 - 9 / (16 * H), 1 - 9 / (8 * H)));
-      EXPECT_LT((periodic_motion(towed_bead(force, H), oseen_pairs).velocity - of_points).norm(),
+      EXPECT_LT((periodic_motion(towed_bead(force, H), oseen_pairs).velocity_vector - of_points).norm(),
                 1e-6 * expected.norm());
     }
   }
@@ -53,7 +53,7 @@ TEST(ShapesOverAWall, ATowedBeadMovesAsByTheFormula) {
 TEST(ShapesOverAWall, RefusesOseenWhereItsMobilityIsNotPositive) {
   for (const double H : {1.01, 1.1, 1.124})
     EXPECT_THROW(periodic_motion(towed_bead(Vec3(1e-4, 0, 0), H), oseen_pairs), InputError);
-  EXPECT_GT(periodic_motion(towed_bead(Vec3(0, 0, 1e-4), 1.13), oseen_pairs).velocity.z(), 0);
+  EXPECT_GT(periodic_motion(towed_bead(Vec3(0, 0, 1e-4), 1.13), oseen_pairs).velocity_vector.z(), 0);
 }
 
 /// Returns three beads with arms of these lengths, at the pitch angle above the x axis.
@@ -109,15 +109,15 @@ TEST(ShapesOverAWall, FarFromItASwimmerFollowsTheImageOfItsDipole) {
     EXPECT_EQ(p > 0, is_pusher);
     for (const double pitch : pitches) {
       ShapedSwimmer placed = swimmer(arms, phase, pitch);
-      const Vec3 free = periodic_motion(placed, rotne_prager_tensor).velocity;
+      const Vec3 free = periodic_motion(placed, rotne_prager_tensor).velocity_vector;
       placed.half_space = HalfSpace{};
       std::array<double, 3> along, across, turning;
       for (int n = 0; n < 3; ++n) {
         const double h = 300 * std::pow(2, n);
         placed.place = Vec3(0, 0, h);
-        const PeriodicShapeMotion motion = periodic_motion(placed, rotne_prager_tensor);
-        along[n] = (motion.velocity.x() - free.x()) * h * h;
-        across[n] = (motion.velocity.z() - free.z()) * h * h;
+        const ShapeMotion motion = periodic_motion(placed, rotne_prager_tensor);
+        along[n] = (motion.velocity_vector.x() - free.x()) * h * h;
+        across[n] = (motion.velocity_vector.z() - free.z()) * h * h;
         turning[n] = -motion.angular_velocity.y() * h * h * h;  // about -y the pitch angle increases
       }
       const double unit = 3 * p / (64 * pi * eta), s = std::sin(pitch);

@@ -171,7 +171,7 @@ TEST(InertiaCorrected, InABoxTendsToSteadyTheoryAsDensityVanishes) {
     mobility.value += boxed.value - open.value;
     const double weakening = geometry_factor(exact) / geometry_factor(open);
     for (int k = 0; k < 3; ++k) mobility.slope[k] += weakening * (boxed.slope[k] - open.slope[k]);
-    const SecondOrderMotion steady = second_order_motion(swimmer, mobility);
+    const PeriodicMotion steady = second_order_motion(swimmer, mobility);
     const Prediction p = predicted("inertia-corrected", question);
     EXPECT_NEAR(p.velocity / steady.velocity, 1, tolerance);
     EXPECT_NEAR(p.stroke.amplitude[1] / steady.stroke.amplitude[1], 1, tolerance);

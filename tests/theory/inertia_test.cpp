@@ -261,7 +261,7 @@ TEST(UnsteadyResponse, OfHeavyBeadsInMasslessFluidSolvesNewtonsEquations) {
 double reynolds_change(const CollinearSwimmer& swimmer, const Eigen::Vector3cd& force, Complex uniform) {
   const LinePositions center = rest_positions(swimmer);
   const Complex alpha = inverse_penetration_depth(swimmer, 1);
-  const Eigen::Vector3d towing = rigid_force_distribution(rest_mobility(swimmer, rotne_prager).value);
+  const Eigen::Vector3d towing = towing_forces(rest_mobility(swimmer, rotne_prager).value);
   return integral_over_space(swimmer, 2e4, 16, [&](double x, double s) {
     Eigen::RowVector2cd u = Eigen::RowVector2cd::Zero();
     Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();

@@ -36,15 +36,17 @@ TEST(LinearResponse, FollowsSlowDrivingInPhase) {
 }
 
 TEST(Stroke, OfArmsAtRestHasZeroPhasesAndNoShift) {
-  const Stroke rest = stroke_of({std::complex<double>(-0.0, 0.0), std::complex<double>(-0.0, -0.0)});
+  const Stroke rest =
+      stroke_of(Eigen::Vector2cd(std::complex<double>(-0.0, 0.0), std::complex<double>(-0.0, -0.0)));
   EXPECT_EQ(rest.phase, (std::vector<double>{0, 0}));
   EXPECT_EQ(rest.sin_phase_shift(), 0);
-  const Stroke one_arm = stroke_of({std::complex<double>(0, 2), std::complex<double>(0, 0)});
+  const Stroke one_arm = stroke_of(Eigen::Vector2cd(std::complex<double>(0, 2), std::complex<double>(0, 0)));
   EXPECT_EQ(one_arm.sin_phase_shift(), 0);
 }
 
 TEST(Stroke, PhaseIsPiAndNeverMinusPi) {
-  const Stroke stroke = stroke_of({std::complex<double>(-1.0, -0.0), std::complex<double>(-1.0, 0.0)});
+  const Stroke stroke =
+      stroke_of(Eigen::Vector2cd(std::complex<double>(-1.0, -0.0), std::complex<double>(-1.0, 0.0)));
   EXPECT_EQ(stroke.phase, (std::vector<double>{std::numbers::pi, std::numbers::pi}));
 }
 

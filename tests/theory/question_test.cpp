@@ -57,7 +57,7 @@ TEST(Warnings, OfBeadsThatOverlapAtRestAreOfTheirMeeting) {
 
 TEST(ExactReference, IsTheMotionByExactMobilities) {
   const CollinearSwimmer s = unequal_swimmer();
-  const SecondOrderMotion expected = second_order_motion(s, exact_mobility(s, rest_positions(s)));
+  const PeriodicMotion expected = second_order_motion(s, exact_mobility(s, rest_positions(s)));
   EXPECT_EQ(ask(s).exact->motion.velocity, expected.velocity);
 }
 

@@ -16,7 +16,7 @@ struct Errors {
   double velocity = 0, velocity_of_swing = 0, arms = 0;
 };
 
-void add_error(Errors& errors, const CollinearSwimmer& s, const SecondOrderMotion& motion,
+void add_error(Errors& errors, const CollinearSwimmer& s, const PeriodicMotion& motion,
                const gauge::SecondOrder& expected) {
   const auto& x = expected.arms;
   const double swing = std::max(std::abs(x[0]), std::abs(x[1]));

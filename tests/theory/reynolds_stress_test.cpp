@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include "beadswim/theory/perturbation.hpp"
+#include "beadswim/theory/linear_response.hpp"
 #include "lone_sphere_flow.hpp"
 #include "space_integral.hpp"
 #include "swimmers.hpp"
@@ -14,7 +14,7 @@ namespace beadswim {
 namespace {
 
 Eigen::Vector3d towing_of(const CollinearSwimmer& swimmer) {
-  return rigid_force_distribution(rest_mobility(swimmer, rotne_prager).value);
+  return towing_forces(rest_mobility(swimmer, rotne_prager).value);
 }
 
 /// Returns the integrand rho u_i u_j* : grad u^ at (x, s).

@@ -199,7 +199,7 @@ OverRod local_flagellum(int beads, double sperm_number) {
   const ElasticRod rod = rod_of(flagellum, along, across);
   const ShapeMotion motion =
       second_order_motion({swimmer_type(flagellum, fluid), Eigen::Matrix3d::Identity(), eta}, neighbours);
-  return {motion.velocity.x() / rod.velocity(), motion.power / rod.power()};
+  return {motion.velocity_vector.x() / rod.velocity(), motion.power / rod.power()};
 }
 
 // If only neighbours interact, resistive-force theory is exact for long chains. The ends cause an error of
@@ -221,7 +221,7 @@ TEST(Flagellum, DoesNotSwimIfBeadsDoNotInteract) {
   const auto none = [](double, double, double, double) { return PairTensor{}; };
   const ShapedSwimmer swimmer{swimmer_type(Flagellum{}, fluid), Eigen::Matrix3d::Identity(), eta};
   const ShapeMotion with = second_order_motion(swimmer, rotne_prager_tensor);
-  EXPECT_LT(second_order_motion(swimmer, none).velocity.norm(), 1e-9 * with.velocity.norm());
+  EXPECT_LT(second_order_motion(swimmer, none).velocity_vector.norm(), 1e-9 * with.velocity_vector.norm());
 }
 
 /// Returns G = 4 pi eta V 4 B L/M^2 of a chain with the arm 2.5 a. Slender rods, with 1/z1 - 1/z2 = (ln(L/a)
@@ -234,7 +234,7 @@ double slenderness(int beads, double sperm_number) {
   const ElasticRod unit_mobility = rod_of(flagellum, 0.5, 1);  // 1/z1 - 1/z2 = 1
   const ShapeMotion motion = second_order_motion(
       {swimmer_type(flagellum, fluid), Eigen::Matrix3d::Identity(), eta}, rotne_prager_tensor);
-  return 4 * pi * eta * motion.velocity.x() / unit_mobility.velocity();
+  return 4 * pi * eta * motion.velocity_vector.x() / unit_mobility.velocity();
 }
 
 // Resistive-force theory knows the logarithm of the length up to a constant, of order one: the length of a

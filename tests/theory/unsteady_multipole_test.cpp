@@ -124,7 +124,7 @@ TEST(UnsteadyMultipole, TendsToExactStokesFlowAsDensityVanishes) {
   constexpr double density = 1e-16, tolerance = 1e-6;
   for (const CollinearSwimmer& shape : {paper_swimmer(4800), unequal_swimmer()}) {
     const CollinearSwimmer swimmer = with_density(shape, density);
-    const SecondOrderMotion exact =
+    const PeriodicMotion exact =
         second_order_motion(swimmer, exact_mobility(swimmer, rest_positions(swimmer)));
     const ExactMotion motion = motion_of(swimmer, density);
     EXPECT_NEAR(motion.mean.velocity() / exact.velocity, 1, tolerance);

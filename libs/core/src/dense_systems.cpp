@@ -20,6 +20,10 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& a) {
   return a.inverse();
 }
 
+Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& a) {
+  return a.inverse();
+}
+
 PairedSolutions solve_both(const Eigen::MatrixXd& a, const Eigen::MatrixXd& direct,
                            const Eigen::MatrixXd& transposed) {
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(a);
@@ -27,6 +31,7 @@ PairedSolutions solve_both(const Eigen::MatrixXd& a, const Eigen::MatrixXd& dire
 }
 
 SymmetricModes::SymmetricModes(const Eigen::MatrixXd& matrix) {
+  if (matrix.size() == 0) return;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
   values = solver.eigenvalues();
   vectors = solver.eigenvectors();

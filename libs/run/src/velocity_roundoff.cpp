@@ -39,7 +39,7 @@ Speeds predicted_speeds_of_shape(const SwimmerType& type, double viscosity) {
   const double omega = 2 * std::numbers::pi / type.driving.period;
   double swing = 0;
   for (const double amplitude : motion.stroke.amplitude) swing = std::max(swing, amplitude);
-  const double swimming = motion.velocity.norm() + motion.angular_velocity.norm() * reach;
+  const double swimming = motion.velocity_vector.norm() + motion.angular_velocity.norm() * reach;
   return {.bead = omega * swing + swimming, .swimmer = swimming};
 }
 

@@ -213,7 +213,7 @@ std::vector<Method> closed_form_methods() {
                        .input = form.input,
                        .obstacle = form.obstacle,
                        .predict = std::bind_front(predict_by, std::cref(form)),
-                       .towing_drag = form.mobility.towing_drag});
+                       .mobility = &form.mobility});
   return methods;
 }
 

@@ -23,19 +23,14 @@ std::optional<double> nullopt_if_roundoff(const Question& question, double veloc
 
 }  // namespace
 
-Prediction prediction_from(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
-  return prediction_from(
-      {.velocity = motion.velocity,
-       .arm_means = {swimmer.arm[0] + motion.arm_changes[0], swimmer.arm[1] + motion.arm_changes[1]},
-       .stroke = motion.stroke});
-}
-
-Prediction prediction_from(const PeriodicMotion& motion) {
+Prediction prediction_from(const PeriodicMotion& motion, std::span<const double> rest_lengths) {
   Prediction prediction;
   prediction.velocity = motion.velocity;
   prediction.stroke = motion.stroke;
   prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
-  prediction.arm_means = {motion.arm_means[0], motion.arm_means[1]};
+  prediction.arm_means.emplace();
+  for (std::size_t k = 0; k < rest_lengths.size(); ++k)
+    prediction.arm_means->push_back(rest_lengths[k] + motion.arm_changes[k]);
   return prediction;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "beadswim/theory/periodic_motion.hpp"
@@ -11,9 +12,9 @@
 
 namespace beadswim {
 
-/// Returns a prediction with the velocity, the stroke and the mean arm lengths of the motion.
-Prediction prediction_from(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion);
-Prediction prediction_from(const PeriodicMotion& motion);
+/// Returns a prediction with the velocity, the stroke and the mean arm lengths of the motion. `rest_lengths`:
+/// of the arms [length].
+Prediction prediction_from(const PeriodicMotion& motion, std::span<const double> rest_lengths);
 
 /// Returns whether the gaps stay positive if the arms oscillate by `stroke` about their rest lengths.
 bool beads_stay_apart(const CollinearSwimmer& swimmer, const Stroke& stroke);

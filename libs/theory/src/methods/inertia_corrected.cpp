@@ -112,12 +112,13 @@ BoxMotion box_motion(const Question& question, const ExactInertia& exact) {
   const Eigen::Matrix3d steady = question.exact->mobility.value +
                                  rotne_prager_mobility(boxed.flow, swimmer, boxed.positions).value -
                                  rest_mobility(swimmer, rotne_prager).value;
-  const Eigen::Vector3d towing = rigid_force_distribution(steady);
+  const Eigen::Vector3d towing = towing_forces(steady);
   const ImageStress stress = image_stress(question, towing, force, by_beads.by_reynolds_stress);
   const double velocity =
       towing.dot(by_beads.bead_velocities + weakening_by_beads(question) * by_images) + stress.change;
   const double with_stroke =
-      mean_motion(flow, swimmer, response_to_stroke(response.arm, flow.mobility, swimmer.angular_frequency()))
+      mean_motion(flow, swimmer,
+                  response_to_stroke(arm_rates(), response.arm, flow.mobility, swimmer.angular_frequency()))
           .velocity();
   return {.arm = response.arm,
           .velocity = velocity,
@@ -218,7 +219,7 @@ InertiaCorrected inertia_corrected(const Question& question) {
                               ? box_motion(question, exact)
                               : BoxMotion{.arm = open.response.arm, .velocity = open.mean.velocity()};
   const PeriodicMotion finite = finite_motion(question);
-  const SecondOrderMotion& small = question.exact->motion;
+  const PeriodicMotion& small = question.exact->motion;
   const BoxUncertainty by_pairs = box_uncertainty(question);
 
   InertiaCorrected best;
@@ -233,7 +234,7 @@ InertiaCorrected inertia_corrected(const Question& question) {
         small.stroke.amplitude[arm] > 0 ? size * (complex_of(finite.stroke, arm) / steady - 1.0) : 0;
     best.arm[arm] = y * (1.0 + growth);
     best.arm_means[arm] = swimmer.arm[arm] + open.mean.arm_changes[arm] +
-                          size * size * (finite.arm_means[arm] - swimmer.arm[arm] - small.arm_changes[arm]);
+                          size * size * (finite.arm_changes[arm] - small.arm_changes[arm]);
     if (y == 0.0) continue;
     const double by_box = std::abs(y - open.response.arm[arm]) / std::abs(y),
                  by_inertia = std::min(1.0, std::abs(open.response.arm[arm] - steady) / std::abs(y));

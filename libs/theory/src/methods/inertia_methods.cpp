@@ -88,7 +88,7 @@ Prediction predict_unsteady_multipole(const Question& question) {
 
   Prediction prediction;
   prediction.velocity = motion.velocity();
-  prediction.stroke = stroke_of({response.arm[0], response.arm[1]});
+  prediction.stroke = stroke_of(response.arm);
   prediction.sin_phase_shift = prediction.stroke.sin_phase_shift();
   prediction.arm_means = {swimmer.arm[0] + motion.arm_changes[0], swimmer.arm[1] + motion.arm_changes[1]};
   const double gross = std::abs(motion.by_drift) + std::abs(motion.by_reynolds_stress);
@@ -125,7 +125,7 @@ Prediction predict_unsteady_response(const Question& question) {
 
   Prediction prediction;
   prediction.velocity = drift + reynolds;
-  prediction.stroke = stroke_of({response.arm[0], response.arm[1]});
+  prediction.stroke = stroke_of(response.arm);
   prediction.sin_phase_shift = prediction.stroke.sin_phase_shift();
   const std::optional<double> exact = exact_velocity(question);
   prediction.uncertainty = pair_uncertainty(question, quasi_static, prediction.velocity,
@@ -151,7 +151,7 @@ Prediction predict_inertia_corrected(const Question& question) {
   constexpr double roundoff = 1e-12;
   const double gross = std::abs(v.quasi_static) + std::abs(v.by_stroke) + std::abs(v.by_drift);
   if (std::abs(v.sum()) > roundoff * gross) prediction.uncertainty = v.uncertainty / std::abs(v.sum());
-  prediction.stroke = stroke_of({best.arm[0], best.arm[1]});
+  prediction.stroke = stroke_of(best.arm);
   prediction.stroke_uncertainty = StrokeUncertainty{.arm_amplitudes = best.amplitude_uncertainty,
                                                     .sin_phase_shift = best.sin_uncertainty};
   prediction.sin_phase_shift = prediction.stroke.sin_phase_shift();

@@ -14,9 +14,8 @@ namespace beadswim {
 /// Steady mobility of beads in open space, in the forms that methods need.
 struct BeadMobility {
   const char* name;  ///< in predictions
-  decltype(Method::towing_drag) towing_drag;
-  PairLaw pairs;          ///< nullptr: not a sum over pairs
-  PairTensorLaw tensors;  ///< for swimmers of any shape; likewise
+  CollinearMobility (*on_line)(const CollinearSwimmer& swimmer, const LinePositions& positions);
+  PairTensorLaw tensors;  ///< for swimmers of any shape; nullptr: not a sum over pairs
 };
 extern const BeadMobility oseen_beads, rotne_prager_beads, exact_beads;
 
@@ -31,14 +30,10 @@ std::optional<std::string> inertia_corrected_obstacle(const Question& question);
 /// Returns the methods by closed formulas, most of them from the paper (closed_forms.hpp).
 std::vector<Method> closed_form_methods();
 
-// Predictions to second order in amplitude.
-Prediction predict_pair_perturbation(const BeadMobility& mobility, const Question& question);
-Prediction predict_multipole_perturbation(const Question& question);
+// Predictions to second order in amplitude, and at finite amplitude by the periodic motion.
+Prediction predict_perturbation(const BeadMobility& mobility, const Question& question);
 Prediction predict_rpy_box_perturbation(const Question& question);
-
-// Predictions at finite amplitude, by the periodic motion.
-Prediction predict_pair_ode(const BeadMobility& mobility, const Question& question);
-Prediction predict_multipole_ode(const Question& question);
+Prediction predict_ode(const BeadMobility& mobility, const Question& question);
 Prediction predict_rpy_box_ode(const Question& question);
 
 // Predictions for swimmers of any shape.

@@ -28,17 +28,13 @@ bool is_finite(const Prediction& p) {
                        p.uncertainty.value_or(0));
 }
 
-double drag_of(const Eigen::Matrix3d& mobility) {
-  return mobility.inverse().sum();
-}
-
-double exact_drag(const CollinearSwimmer& swimmer, const LinePositions& positions) {
-  return drag_of(exact_mobility(swimmer, positions).value);
-}
-
 template <PairLaw law>
-double pair_drag(const CollinearSwimmer& swimmer, const LinePositions& positions) {
-  return drag_of(pairwise_mobility(law, swimmer.radius, positions, swimmer.viscosity).value);
+CollinearMobility pairs_on_line(const CollinearSwimmer& swimmer, const LinePositions& positions) {
+  return pairwise_mobility(law, swimmer.radius, positions, swimmer.viscosity);
+}
+
+CollinearMobility exact_on_line(const CollinearSwimmer& swimmer, const LinePositions& positions) {
+  return exact_mobility(swimmer, positions);
 }
 
 /// Adds the mean power of the driving and, if the drag coefficient of the towed swimmer is known, this
@@ -65,31 +61,31 @@ std::vector<std::string> methods_for(const ShapedSwimmer& swimmer) {
 
 }  // namespace
 
-const BeadMobility oseen_beads{"Oseen", pair_drag<oseen>, oseen, oseen_pairs};
-const BeadMobility rotne_prager_beads{"Rotne-Prager", pair_drag<rotne_prager>, rotne_prager,
-                                      rotne_prager_tensor};
-const BeadMobility exact_beads{"exact", exact_drag, nullptr, nullptr};
+const BeadMobility oseen_beads{"Oseen", pairs_on_line<oseen>, oseen_pairs};
+const BeadMobility rotne_prager_beads{"Rotne-Prager", pairs_on_line<rotne_prager>, rotne_prager_tensor};
+const BeadMobility exact_beads{"exact", exact_on_line, nullptr};
 
 const std::vector<Method>& methods() {
   using enum Method::Input;
-  using std::bind_front;
-  const auto &O = oseen_beads, &R = rotne_prager_beads;
-  const auto oseen_drag = O.towing_drag, rpy_drag = R.towing_drag;
+  const BeadMobility *O = &oseen_beads, *R = &rotne_prager_beads, *E = &exact_beads;
+  const auto with = [](auto predict, const BeadMobility* beads) {
+    return std::bind_front(predict, std::cref(*beads));
+  };
   // clang-format off
   static const std::vector<Method> table = [&] {
     std::vector<Method> rows = closed_form_methods();
     rows.insert(rows.end(), {
-      {"oseen-perturbation", driving, overlap_obstacle, bind_front(predict_pair_perturbation, O), oseen_drag, bind_front(predict_shape_perturbation, O)},
-      {"rpy-perturbation", driving, overlap_obstacle, bind_front(predict_pair_perturbation, R), rpy_drag, bind_front(predict_shape_perturbation, R)},
-      {"multipole-perturbation", driving, exact_obstacle, predict_multipole_perturbation, exact_drag},
-      {"oseen-ode", driving, overlap_obstacle, bind_front(predict_pair_ode, O), oseen_drag, bind_front(predict_shape_ode, O), true},
-      {"rpy-ode", driving, overlap_obstacle, bind_front(predict_pair_ode, R), rpy_drag, bind_front(predict_shape_ode, R), true},
-      {"multipole-ode", driving, exact_obstacle, predict_multipole_ode, exact_drag},
-      {"rpy-box-perturbation", driving_in_box, box_obstacle, predict_rpy_box_perturbation, rpy_drag},
-      {"rpy-box-ode", driving_in_box, box_obstacle, predict_rpy_box_ode, rpy_drag},
-      {"unsteady-response", driving, inertia_obstacle, predict_unsteady_response, rpy_drag},
-      {"unsteady-multipole", driving, unsteady_multipole_obstacle, predict_unsteady_multipole, exact_drag},
-      {"inertia-corrected", driving, inertia_corrected_obstacle, predict_inertia_corrected, exact_drag},
+      {"oseen-perturbation", driving, overlap_obstacle, with(predict_perturbation, O), O, with(predict_shape_perturbation, O)},
+      {"rpy-perturbation", driving, overlap_obstacle, with(predict_perturbation, R), R, with(predict_shape_perturbation, R)},
+      {"multipole-perturbation", driving, exact_obstacle, with(predict_perturbation, E), E},
+      {"oseen-ode", driving, overlap_obstacle, with(predict_ode, O), O, with(predict_shape_ode, O), true},
+      {"rpy-ode", driving, overlap_obstacle, with(predict_ode, R), R, with(predict_shape_ode, R), true},
+      {"multipole-ode", driving, exact_obstacle, with(predict_ode, E), E},
+      {"rpy-box-perturbation", driving_in_box, box_obstacle, predict_rpy_box_perturbation, R},
+      {"rpy-box-ode", driving_in_box, box_obstacle, predict_rpy_box_ode, R},
+      {"unsteady-response", driving, inertia_obstacle, predict_unsteady_response, R},
+      {"unsteady-multipole", driving, unsteady_multipole_obstacle, predict_unsteady_multipole, E},
+      {"inertia-corrected", driving, inertia_corrected_obstacle, predict_inertia_corrected, E},
     });
     return rows;
   }();
@@ -112,7 +108,7 @@ std::optional<double> towing_drag(const Method& method, const CollinearSwimmer& 
   const LinePositions positions{-arm[0], 0, arm[1]};
   if (!(smallest_gap(swimmer, positions) >= min_exact_gap(swimmer))) return std::nullopt;
   try {
-    return method.towing_drag(swimmer, positions);
+    return method.mobility->on_line(swimmer, positions).value.inverse().sum();
   } catch (const InputError&) {  // beads of very different radii need too many multipoles
     return std::nullopt;
   }

@@ -60,9 +60,9 @@ Question with_open_space_motion(Question question) {
 
 std::vector<std::string> warnings(const Question& question, double tolerance) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  const SecondOrderMotion motion = question.exact
-                                       ? question.exact->motion
-                                       : second_order_motion(swimmer, rest_mobility(swimmer, rotne_prager));
+  const PeriodicMotion motion = question.exact
+                                    ? question.exact->motion
+                                    : second_order_motion(swimmer, rest_mobility(swimmer, rotne_prager));
   const MobilityFunction pair_mobility = [&](const LinePositions& positions) {
     return pairwise_mobility(rotne_prager, swimmer.radius, positions, swimmer.viscosity);
   };

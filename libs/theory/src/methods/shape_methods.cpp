@@ -32,13 +32,11 @@ Prediction prediction_from(const ShapeQuestion& question, const BeadMobility& mo
                            const ShapeMotion& motion, const std::string& amplitude) {
   const ShapedSwimmer& swimmer = question.swimmer;
   const Vec3 axis = swimmer.orientation.col(0);
-  Prediction prediction;
-  prediction.velocity = motion.velocity.dot(axis);
-  prediction.velocity_vector = motion.velocity;
+  std::vector<double> rest_lengths;
+  for (const Bond& bond : swimmer.type.bonds) rest_lengths.push_back(bond.rest_length);
+  Prediction prediction = prediction_from(motion, rest_lengths);
+  prediction.velocity_vector = motion.velocity_vector;
   prediction.angular_velocity = motion.angular_velocity;
-  prediction.stroke = motion.stroke;
-  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
-  prediction.arm_means = motion.bond_means;
   prediction.power = motion.power;
   ShapedSwimmer in_open_space = swimmer;  // as the efficiency of runs
   in_open_space.half_space.reset();
@@ -71,9 +69,9 @@ Prediction predict_shape_perturbation(const BeadMobility& mobility, const ShapeQ
 }
 
 Prediction predict_shape_ode(const BeadMobility& mobility, const ShapeQuestion& question) {
-  const PeriodicShapeMotion motion = periodic_motion(question.swimmer, mobility.tensors);
+  const ShapeMotion motion = periodic_motion(question.swimmer, mobility.tensors);
   Prediction prediction = prediction_from(question, mobility, motion, "periodic motion at finite amplitude");
-  prediction.settings.emplace_back("steps_per_period", static_cast<double>(motion.steps));
+  prediction.settings.emplace_back("steps_per_period", static_cast<double>(motion.samples));
   prediction.settings.emplace_back("numerical_error", motion.numerical_error);
   constexpr double visible = 1e-6;
   if (motion.turn > visible) {

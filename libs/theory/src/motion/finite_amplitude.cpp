@@ -77,7 +77,7 @@ class InterpolatedMobility {
 
 /// Returns a factor s by which the driving amplitudes are multiplied, so small that arm amplitudes and mean
 /// changes of the arm lengths are much smaller than the gaps between the beads.
-double small_driving(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
+double small_driving(const CollinearSwimmer& swimmer, const PeriodicMotion& motion) {
   const std::array<double, 2> gaps = gaps_at_rest(swimmer);
   double size = 0;
   for (int arm = 0; arm < 2; ++arm) {
@@ -88,7 +88,7 @@ double small_driving(const CollinearSwimmer& swimmer, const SecondOrderMotion& m
 }
 
 /// Returns whether the second-order velocity exceeds roundoff.
-bool is_above_roundoff(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
+bool is_above_roundoff(const CollinearSwimmer& swimmer, const PeriodicMotion& motion) {
   constexpr double relative_roundoff = 1e-10;
   const double swing = std::max(motion.stroke.amplitude[0], motion.stroke.amplitude[1]);
   const double unit = swimmer.angular_frequency() * swing * swing / swimmer.arm[0];
@@ -101,7 +101,7 @@ double finite_amplitude_change(const CollinearSwimmer& swimmer, const MobilityFu
   const LinePositions rest = rest_positions(swimmer);
   if (!(smallest_gap(swimmer, rest) > 0)) return std::numeric_limits<double>::quiet_NaN();
   const InterpolatedMobility near_rest(swimmer, mobility);
-  const SecondOrderMotion motion = second_order_motion(swimmer, near_rest(rest));
+  const PeriodicMotion motion = second_order_motion(swimmer, near_rest(rest));
   if (!is_above_roundoff(swimmer, motion)) return 0;
   const double s = small_driving(swimmer, motion);
   CollinearSwimmer weakly_driven = swimmer;

@@ -6,7 +6,6 @@
 #include "beadswim/collinear/unsteady_sphere.hpp"
 #include "beadswim/core/complex.hpp"
 #include "beadswim/theory/box_mobility.hpp"
-#include "beadswim/theory/perturbation.hpp"
 
 namespace beadswim {
 
@@ -85,7 +84,7 @@ DriftForm drift_form(const InertialScene& scene) {
   const CollinearSwimmer& swimmer = scene.swimmer;
   const Complex alpha = inverse_penetration_depth(swimmer, scene.fluid_density);
   DriftForm form;
-  form.towing = rigid_force_distribution(rotne_prager_mobility(scene.flow, swimmer, scene.positions).value);
+  form.towing = towing_forces(rotne_prager_mobility(scene.flow, swimmer, scene.positions).value);
   for (int j = 0; j < 3; ++j) {
     const double x_j = scene.positions[j], a_j = swimmer.radius[j];
     for (int i = 0; i < 3; ++i) {
@@ -123,7 +122,7 @@ double lagrangian_drift(const InertialScene& scene, const LinearResponse& respon
 }
 
 ReynoldsForm reynolds_form(const InertialScene& scene) {
-  const Eigen::Vector3d towing = rigid_force_distribution(rest_mobility(scene.swimmer, rotne_prager).value);
+  const Eigen::Vector3d towing = towing_forces(rest_mobility(scene.swimmer, rotne_prager).value);
   return reynolds_stress_form(scene.swimmer, scene.fluid_density, towing);
 }
 

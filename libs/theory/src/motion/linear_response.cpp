@@ -1,22 +1,56 @@
 #include "beadswim/theory/linear_response.hpp"
 
-#include <Eigen/LU>
-
 #include "beadswim/core/complex.hpp"
+#include "beadswim/core/dense_systems.hpp"
 
 namespace beadswim {
 
 namespace {
 
-/// Returns k_i + i omega c_i for both arms (stiffness k_i, damping c_i): complex tension of spring and
-/// dashpot per change of the arm length [mass/time^2].
-Eigen::Vector2cd arm_stiffness(const CollinearSwimmer& swimmer) {
-  const double omega = swimmer.angular_frequency();
-  return {swimmer.stiffness[0] + i_unit * omega * swimmer.damping[0],
-          swimmer.stiffness[1] + i_unit * omega * swimmer.damping[1]};
+/// Returns Z = (D mu D^T)^-1 [mass/time]. `deformations`: D.
+Eigen::MatrixXcd impedance(const Eigen::MatrixXd& deformations, const Eigen::MatrixXcd& mobility) {
+  const Eigen::MatrixXcd mobility_of_deformations = deformations * mobility * deformations.transpose();
+  return inverse(mobility_of_deformations);
 }
 
 }  // namespace
+
+LinearResponse linear_response(const SpringNetwork& springs, const Eigen::MatrixXcd& mobility,
+                               const Eigen::VectorXcd& tension, double angular_frequency) {
+  const Complex i_omega = i_unit * angular_frequency;
+  const Eigen::MatrixXcd resistance =
+      i_omega * impedance(springs.deformations, mobility) + springs.stiffness + i_omega * springs.damping;
+  return response_to_stroke(springs.deformations, solve(resistance, tension), mobility, angular_frequency);
+}
+
+LinearResponse response_to_stroke(const Eigen::MatrixXd& deformations, const Eigen::VectorXcd& arm,
+                                  const Eigen::MatrixXcd& mobility, double angular_frequency) {
+  const Eigen::VectorXcd force_per_frequency =
+      deformations.transpose() * (impedance(deformations, mobility) * arm);
+  return {.arm = arm,
+          .displacement = mobility * force_per_frequency,
+          .force = i_unit * angular_frequency * force_per_frequency};
+}
+
+Eigen::MatrixXd towing_forces(const Eigen::MatrixXd& mobility, const Eigen::MatrixXd& free_motions) {
+  const Eigen::MatrixXd forces = solve(mobility, free_motions);
+  const Eigen::MatrixXd drag = free_motions.transpose() * forces;
+  return forces * inverse(drag);
+}
+
+Eigen::VectorXd towing_forces(const Eigen::MatrixXd& mobility) {
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(mobility.rows()), forces = solve(mobility, ones);
+  return forces / forces.sum();
+}
+
+MeanBalance balance_mean(const SpringNetwork& springs, const Eigen::MatrixXd& mobility,
+                         const Eigen::VectorXd& drift) {
+  const Eigen::MatrixXd& D = springs.deformations;
+  const Eigen::MatrixXd mobility_of_deformations = D * mobility * D.transpose();
+  const Eigen::VectorXd rates = D * drift, tension = solve(mobility_of_deformations, rates);
+  return {.free_rates = towing_forces(mobility, springs.free_motions).transpose() * drift,
+          .deformation = solve(springs.stiffness, tension)};
+}
 
 Eigen::Matrix<double, 2, 3> arm_rates() {
   Eigen::Matrix<double, 2, 3> rates;
@@ -27,7 +61,18 @@ Eigen::Matrix<double, 2, 3> arm_rates() {
   return rates;
 }
 
+SpringNetwork springs_of(const CollinearSwimmer& swimmer) {
+  const auto diagonal = [](const std::array<double, 2>& values) -> Eigen::MatrixXd {
+    return Eigen::Vector2d(values[0], values[1]).asDiagonal();
+  };
+  return {.deformations = arm_rates(),
+          .free_motions = Eigen::Vector3d::Ones(),
+          .stiffness = diagonal(swimmer.stiffness),
+          .damping = diagonal(swimmer.damping)};
+}
+
 Eigen::Vector2cd driving_tensions(const CollinearSwimmer& swimmer) {
+  // The driving forces are sines: A sin(omega t) = Re(-iA exp(i omega t)).
   const Complex force_1 = -i_unit * swimmer.amplitude[0];
   const Complex force_3 = -i_unit * swimmer.amplitude[1] * std::polar(1.0, swimmer.phase);
   return {-force_1, force_3};
@@ -44,29 +89,9 @@ double mean_power(const CollinearSwimmer& swimmer, const Stroke& stroke) {
   return power;
 }
 
-LinearResponse response_to_stroke(const Eigen::Vector2cd& arm, const Eigen::Matrix3cd& mobility,
-                                  double angular_frequency) {
-  const Eigen::Vector3cd force_per_frequency =
-      arm_rates().cast<Complex>().transpose() * (arm_impedance(mobility) * arm);
-  return {.arm = arm,
-          .displacement = mobility * force_per_frequency,
-          .force = i_unit * angular_frequency * force_per_frequency};
-}
-
-Eigen::Matrix2cd arm_impedance(const Eigen::Matrix3cd& mobility) {
-  const Eigen::Matrix<Complex, 2, 3> rates = arm_rates().cast<Complex>();
-  return (rates * mobility * rates.transpose()).inverse();
-}
-
-Eigen::Vector2cd driven_arms(const CollinearSwimmer& swimmer, const Eigen::Matrix2cd& impedance) {
-  Eigen::Matrix2cd stiffness = i_unit * swimmer.angular_frequency() * impedance;
-  stiffness.diagonal() += arm_stiffness(swimmer);
-  return stiffness.inverse() * driving_tensions(swimmer);
-}
-
 LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3cd& mobility) {
-  const Eigen::Vector2cd arm = driven_arms(swimmer, arm_impedance(mobility));
-  return response_to_stroke(arm, mobility, swimmer.angular_frequency());
+  return linear_response(springs_of(swimmer), mobility, driving_tensions(swimmer),
+                         swimmer.angular_frequency());
 }
 
 LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3d& mobility) {
@@ -74,8 +99,7 @@ LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Mat
 }
 
 Stroke first_order_stroke(const CollinearSwimmer& swimmer, PairLaw law) {
-  const LinearResponse response = linear_response(swimmer, rest_mobility(swimmer, law).value);
-  return stroke_of({response.arm[0], response.arm[1]});
+  return stroke_of(linear_response(swimmer, rest_mobility(swimmer, law).value).arm);
 }
 
 }  // namespace beadswim

@@ -13,7 +13,6 @@
 #include "beadswim/core/setting.hpp"
 #include "beadswim/core/trigonometric_nodes.hpp"
 #include "beadswim/theory/linear_response.hpp"
-#include "beadswim/theory/perturbation.hpp"
 
 namespace beadswim {
 
@@ -105,11 +104,11 @@ class HarmonicBalance {
 
   /// Returns the velocity V = -<sum_k (w_k(x) - w_k(X)) dp_k/dt> (periodic_motion.hpp) [length/time].
   double drift_velocity(const NodalMotion& motion) const {
-    const Vector3d at_rest = rigid_force_distribution(mobility_({rest_[0], rest_[1], rest_[2]}).value);
+    const Vector3d at_rest = towing_forces(mobility_({rest_[0], rest_[1], rest_[2]}).value);
     const NodalMotion rate = beads_ * rates(motion);
     double sum = 0;
     for (int n = 0; n < nodes_; ++n) {
-      const Vector3d change = rigid_force_distribution(mobility_(places(motion, n)).value) - at_rest;
+      const Vector3d change = towing_forces(mobility_(places(motion, n)).value) - at_rest;
       sum -= change.dot(rate.col(n));
     }
     return omega_ * sum / nodes_;
@@ -130,7 +129,7 @@ class HarmonicBalance {
     const CollinearMobility mu = mobility_(places(motion, node));
     const Eigen::Matrix<double, 2, 3> D = arm_rates();
     const Eigen::Matrix2d impedance = omega_ * (D * mu.value * D.transpose()).inverse();
-    const Vector3d w = rigid_force_distribution(mu.value);
+    const Vector3d w = towing_forces(mu.value);
     const Eigen::Vector2d q(motion(0, node), motion(2, node)), dq(rate(0, node), rate(2, node));
     const Eigen::Vector2d tension = driving - stiffness_.cwiseProduct(q) - damping_.cwiseProduct(dq);
     const Eigen::Matrix2d scale = row_scale_.asDiagonal();
@@ -255,13 +254,12 @@ State continue_to_full_driving(const CollinearSwimmer& swimmer, const HarmonicBa
 
 PeriodicMotion motion_result(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
                              const NodalMotion& nodal) {
-  PeriodicMotion motion;
-  motion.velocity = balance.drift_velocity(nodal);
-  motion.arm_means = {swimmer.arm[0] + nodal.row(0).mean(), swimmer.arm[1] + nodal.row(2).mean()};
-  motion.stroke = stroke_of({harmonic_amplitude(nodal.row(0), 1), harmonic_amplitude(nodal.row(2), 1)});
-  motion.smallest_gap = smallest_gap_of(swimmer, balance, nodal);
-  motion.nodes = static_cast<int>(nodal.cols());
-  return motion;
+  return {.velocity = balance.drift_velocity(nodal),
+          .stroke = stroke_of(
+              Eigen::Vector2cd(harmonic_amplitude(nodal.row(0), 1), harmonic_amplitude(nodal.row(2), 1))),
+          .arm_changes = {nodal.row(0).mean(), nodal.row(2).mean()},
+          .smallest_gap = smallest_gap_of(swimmer, balance, nodal),
+          .samples = static_cast<int>(nodal.cols())};
 }
 
 }  // namespace

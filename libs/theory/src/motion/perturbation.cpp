@@ -1,15 +1,12 @@
 #include "beadswim/theory/perturbation.hpp"
 
-#include <Eigen/LU>
-
 #include "beadswim/theory/linear_response.hpp"
 
 namespace beadswim {
 
 namespace {
 
-/// Returns the mean bead velocities <dmu f> = 1/2 Re sum_k (d mu / d x_k) conj(xi_k) f [length/time]. xi_k
-/// are the displacements of the beads, f the forces on the beads, mu is the mobility.
+/// Returns the mean bead velocities <dmu f> [length/time]. `slope`: d mu / d x_k.
 Eigen::Vector3d mean_drift(const LinearResponse& response, const std::array<Eigen::Matrix3d, 3>& slope) {
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k) {
@@ -20,30 +17,20 @@ Eigen::Vector3d mean_drift(const LinearResponse& response, const std::array<Eige
 
 }  // namespace
 
-Eigen::Vector3d rigid_force_distribution(const Eigen::Matrix3d& mobility) {
-  const Eigen::Vector3d force = mobility.partialPivLu().solve(Eigen::Vector3d::Ones());
-  return force / force.sum();
-}
-
-SecondOrderMotion second_order_motion(const CollinearSwimmer& swimmer, const CollinearMobility& mobility) {
+PeriodicMotion second_order_motion(const CollinearSwimmer& swimmer, const CollinearMobility& mobility) {
   const LinearResponse response = linear_response(swimmer, mobility.value);
-  const Eigen::Vector3d drift = mean_drift(response, mobility.slope);
-  const Eigen::Matrix<double, 2, 3> rates = arm_rates();
-  const Eigen::Matrix2d arm_mobility = rates * mobility.value * rates.transpose();
-  const Eigen::Vector2d mean_tension = arm_mobility.inverse() * (rates * drift);
-
-  SecondOrderMotion motion;
-  motion.velocity = rigid_force_distribution(mobility.value).dot(drift);
-  motion.arm_changes = {mean_tension[0] / swimmer.stiffness[0], mean_tension[1] / swimmer.stiffness[1]};
-  motion.stroke = stroke_of({response.arm[0], response.arm[1]});
-  return motion;
+  const MeanBalance mean =
+      balance_mean(springs_of(swimmer), mobility.value, mean_drift(response, mobility.slope));
+  return {.velocity = mean.free_rates[0],
+          .stroke = stroke_of(response.arm),
+          .arm_changes = {mean.deformation[0], mean.deformation[1]}};
 }
 
 double velocity_of_stroke(const Eigen::Vector2cd& arm, const CollinearMobility& mobility,
                           double angular_frequency) {
   const LinearResponse response =
-      response_to_stroke(arm, mobility.value.cast<std::complex<double>>(), angular_frequency);
-  return rigid_force_distribution(mobility.value).dot(mean_drift(response, mobility.slope));
+      response_to_stroke(arm_rates(), arm, mobility.value.cast<std::complex<double>>(), angular_frequency);
+  return towing_forces(mobility.value).dot(mean_drift(response, mobility.slope));
 }
 
 double geometry_factor(const CollinearMobility& mobility) {

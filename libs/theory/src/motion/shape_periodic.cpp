@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <complex>
 #include <limits>
 
 #include "anderson_mixing.hpp"
@@ -113,14 +112,13 @@ Vec3 own_displacement(const ShapedSwimmer& swimmer, const ShapeCycle& cycle, con
   return rotation_by(-turn / 2) * (displacement_in_cycle(phases, places, turn, carried) - carried);
 }
 
-PeriodicShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
+ShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
   const SwimmerType& type = swimmer.type;
   const int steps = static_cast<int>(cycle.beads.size()) - 1;
   const double period = type.driving.period;
   const Vec3 rotation = has_turning_frame(swimmer) ? rotation_vector(swimmer, cycle) : Vec3(Vec3::Zero());
-  PeriodicShapeMotion motion;
-  motion.steps = steps;
-  motion.smallest_gap = std::numeric_limits<double>::infinity();
+  ShapeMotion motion;
+  motion.samples = steps;
   motion.mean_shape = BeadVectors::Zero(3, std::ssize(type.beads));
   Eigen::MatrixXd lengths(std::ssize(type.bonds), steps);
   for (int s = 0; s < steps; ++s) {
@@ -131,10 +129,10 @@ PeriodicShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cy
     motion.smallest_gap = std::min(motion.smallest_gap, smallest_gap(swimmer, beads));
     lengths.col(s) = bond_lengths(type, beads);
   }
-  std::vector<std::complex<double>> amplitudes;
-  for (std::size_t k = 0; k < type.bonds.size(); ++k) {
-    motion.bond_means.push_back(lengths.row(k).mean());
-    amplitudes.push_back(harmonic_amplitude(lengths.row(k), 1));
+  Eigen::VectorXcd amplitudes(lengths.rows());
+  for (Eigen::Index k = 0; k < lengths.rows(); ++k) {
+    motion.arm_changes.push_back(lengths.row(k).mean() - type.bonds[k].rest_length);
+    amplitudes[k] = harmonic_amplitude(lengths.row(k), 1);
   }
   motion.stroke = stroke_of(amplitudes);
   // Results are for the orientation of the layout; the motion was found in another one.
@@ -145,8 +143,9 @@ PeriodicShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cy
   const Eigen::Matrix3d to_box = free ? turn : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   motion.mean_shape = to_box * motion.mean_shape;
   const Vec3 carrying = swimmer.flow.at(swimmer.place);
-  motion.velocity =
+  motion.velocity_vector =
       carrying + to_box * own_displacement(swimmer, cycle, rotation, period * carrying) / period;
+  motion.velocity = motion.velocity_vector.dot(swimmer.orientation.col(0));
   motion.angular_velocity = to_box * rotation / period;
   return motion;
 }
@@ -171,16 +170,16 @@ BeadVectors first_guess(const ShapedSwimmer& swimmer) {
 
 }  // namespace
 
-PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
+ShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
   const int multiple = highest_multiple(swimmer.type.driving);
   const int first = 32 * multiple, finest = 1024 * multiple;
   constexpr double resolved = 1e-7, roundoff = 1e-10;
   BeadVectors start = first_guess(swimmer);
-  std::optional<PeriodicShapeMotion> motion;
+  std::optional<ShapeMotion> motion;
   for (int steps = first; steps <= finest; steps *= 2) {
     const std::optional<ShapeCycle> cycle = periodic_cycle(swimmer, law, start, steps);
     if (!cycle) continue;
-    const std::optional<PeriodicShapeMotion> coarse = motion;
+    const std::optional<ShapeMotion> coarse = motion;
     motion = motion_of(swimmer, *cycle);
     start = cycle->beads.front();
     if (!coarse) continue;
@@ -188,10 +187,10 @@ PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw 
     const auto is_resolved = [&](double difference, double size) {
       return difference <= std::max(resolved * size, roundoff * speed);
     };
-    const double change = (motion->velocity - coarse->velocity).norm();
+    const double change = (motion->velocity_vector - coarse->velocity_vector).norm();
     motion->numerical_error = change + cycle->error / swimmer.type.driving.period;
     const Vec3 turning = motion->angular_velocity - coarse->angular_velocity;
-    if (is_resolved(change, motion->velocity.norm()) &&
+    if (is_resolved(change, motion->velocity_vector.norm()) &&
         is_resolved(reach * turning.norm(), reach * motion->angular_velocity.norm()))
       break;
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/math/special_functions/sinc.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "beadswim/core/complex.hpp"
@@ -14,25 +13,15 @@
 #include "beadswim/core/trigonometric_nodes.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_matrices.hpp"
+#include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
 #include "shape_flow.hpp"
 
 namespace beadswim {
 namespace {
 
-using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Motions that change no spring: columns of bead velocities [length/time] per unit of their rates. The first
-/// three are translations along x, y, z, the next ones rotations about `axes`, the last ones deformations
-/// that no spring resists.
-struct FreeMotions {
-  std::vector<Vec3> axes;
-  MatrixXd columns;
-
-  Eigen::Index rigid() const { return 3 + std::ssize(axes); }
-};
 
 /// Returns the axes about which a rotation moves the beads: three, two for beads on a line, none for one
 /// bead.
@@ -50,33 +39,30 @@ std::vector<Vec3> rotation_axes(const BeadVectors& shape) {
   return axes;
 }
 
-FreeMotions free_motions(const BeadVectors& shape, const MatrixXd& stiffness) {
-  FreeMotions motions{.axes = rotation_axes(shape), .columns = {}};
-  MatrixXd rigid(shape.size(), motions.rigid());
-  for (int a = 0; a < 3; ++a) rigid.col(a) = Vec3::Unit(a).eval().replicate(shape.cols(), 1);
-  for (std::size_t r = 0; r < motions.axes.size(); ++r) {
+/// Returns the springs on the relaxed shape with the stiffness and the damping of all coordinates. The first
+/// three free motions are translations along x, y, z, the next ones rotations about `axes`, the last ones
+/// deformations that no spring resists. The other deformations are orthonormal, D D^T = 1.
+SpringNetwork spring_network(const BeadVectors& shape, const std::vector<Vec3>& axes,
+                             const MatrixXd& stiffness, const MatrixXd& damping) {
+  const Eigen::Index size = shape.size(), rigid = 3 + std::ssize(axes);
+  MatrixXd columns = MatrixXd::Zero(size, size);
+  for (int a = 0; a < 3; ++a) columns.col(a) = Vec3::Unit(a).eval().replicate(shape.cols(), 1);
+  for (std::size_t r = 0; r < axes.size(); ++r) {
     for (int b = 0; b < shape.cols(); ++b)
-      rigid.col(3 + r).segment<3>(3 * b) = motions.axes[r].cross(Vec3(shape.col(b)));
+      columns.col(3 + r).segment<3>(3 * b) = axes[r].cross(Vec3(shape.col(b)));
   }
-  // Free deformations span the kernel of the stiffness, without the rigid motions in it.
-  const SymmetricModes modes(stiffness);
-  const MatrixXd basis = orthonormal_basis(rigid);
+  const MatrixXd deforming = orthonormal_basis(columns).rightCols(size - rigid);
+  const SymmetricModes modes(deforming.transpose() * stiffness * deforming);
   constexpr double negligible = 1e-11;
-  const double stiffest = modes.values.cwiseAbs().maxCoeff();
-  std::vector<VectorXd> deformations;
-  for (int k = 0; k < modes.values.size(); ++k) {
-    if (std::abs(modes.values[k]) > negligible * stiffest) continue;
-    VectorXd mode = modes.vectors.col(k);
-    mode -= basis * (basis.transpose() * mode);
-    for (const VectorXd& other : deformations) mode -= other * other.dot(mode);
-    constexpr double distinct = 1e-3;
-    if (mode.norm() > distinct) deformations.push_back(mode.normalized());
-  }
-  motions.columns.resize(shape.size(), rigid.cols() + std::ssize(deformations));
-  motions.columns.leftCols(rigid.cols()) = rigid;
-  for (std::size_t d = 0; d < deformations.size(); ++d)
-    motions.columns.col(rigid.cols() + d) = deformations[d];
-  return motions;
+  const Eigen::Index free = (modes.values.array() <= negligible * stiffness.cwiseAbs().maxCoeff()).count();
+  SpringNetwork springs;
+  springs.free_motions.resize(size, rigid + free);
+  springs.free_motions << columns.leftCols(rigid), deforming * modes.vectors.leftCols(free);
+  const MatrixXd D = (deforming * modes.vectors.rightCols(size - rigid - free)).transpose();
+  springs.deformations = D;
+  springs.stiffness = modes.values.tail(D.rows()).asDiagonal();
+  springs.damping = D * damping * D.transpose();
+  return springs;
 }
 
 /// Displacements of the beads at the nodes of a period (columns) and their rates, with the rates of the free
@@ -84,11 +70,6 @@ FreeMotions free_motions(const BeadVectors& shape, const MatrixXd& stiffness) {
 struct Expansion {
   MatrixXd displacement, rate;
   VectorXd free_rates;
-};
-
-/// Mean change of the shape, and rates of the free motions.
-struct MeanMotion {
-  VectorXd displacement, free_rates;
 };
 
 /// Throws InputError if an angular spring is bent on the relaxed shape, because its stiffness is then not
@@ -120,51 +101,44 @@ class ShapeExpansion {
     const ShapeFlow flow(swimmer, law);
     flow.require_positive_mobility(shape_);
     mobility_ = flow.mobility(shape_);
-    damping_ = flow.damping(shape_);
-    stiffness_ = own_stiffness<Eigen::Dynamic>(with_drives_scaled(swimmer.type, 0), 0, shape_);
-    free_ = free_motions(shape_, stiffness_);
+    const MatrixXd stiffness = own_stiffness<Eigen::Dynamic>(with_drives_scaled(swimmer.type, 0), 0, shape_);
+    axes_ = rotation_axes(shape_);
+    springs_ = spring_network(shape_, axes_, stiffness, flow.damping(shape_));
   }
 
   const BeadVectors& shape() const { return shape_; }
   int nodes() const { return nodes_; }
   double time(int node) const { return period_ * node / nodes_; }
-  const FreeMotions& free() const { return free_; }
+  const std::vector<Vec3>& axes() const { return axes_; }
+  Eigen::Index num_free_deformations() const { return springs_.free_motions.cols() - 3 - std::ssize(axes_); }
 
-  /// Returns the displacement and the rates of the free motions that balance a mean velocity of the beads: mu
-  /// K p + (free motions) = velocity, where p contains no free motion.
-  MeanMotion balance_mean(const VectorXd& velocity) const {
-    const auto beads = velocity.size(), motions = free_.columns.cols();
-    MatrixXd equations = MatrixXd::Zero(beads + motions, beads + motions);
-    equations.topLeftCorner(beads, beads) = mobility_ * stiffness_;
-    equations.topRightCorner(beads, motions) = free_.columns;
-    equations.bottomLeftCorner(motions, beads) = free_.columns.transpose();
-    VectorXd right = VectorXd::Zero(beads + motions);
-    right.head(beads) = velocity;
-    const VectorXd solution = solve(equations, right);
-    return {.displacement = solution.head(beads), .free_rates = solution.tail(motions)};
+  /// Returns the rates of the free motions, and the change of the shape, that balance mean velocities of the
+  /// beads.
+  MeanBalance balance(const VectorXd& drift) const {
+    MeanBalance mean = balance_mean(springs_, mobility_, drift);
+    mean.deformation = springs_.deformations.transpose() * mean.deformation;
+    return mean;
   }
 
   Expansion first_order() const {
-    MatrixXd drive(shape_.size(), nodes_);
+    MatrixXd drives(shape_.size(), nodes_);
     const ShapeFlow flow(swimmer_, law_);
-    for (int m = 0; m < nodes_; ++m) drive.col(m) = mobility_ * flow.forces(shape_, time(m));
-    const MeanMotion mean = balance_mean(drive.rowwise().mean());
-    Expansion order{.displacement = mean.displacement.replicate(1, nodes_),
+    for (int m = 0; m < nodes_; ++m) drives.col(m) = flow.forces(shape_, time(m));
+    const MeanBalance mean = balance(mobility_ * drives.rowwise().mean());
+    Expansion order{.displacement = mean.deformation.replicate(1, nodes_),
                     .rate = MatrixXd::Zero(shape_.size(), nodes_),
                     .free_rates = mean.free_rates};
     const double omega = 2 * std::numbers::pi / period_;
-    const MatrixXd unit = MatrixXd::Identity(shape_.size(), shape_.size());
+    constexpr double roundoff = 1e-14;
     for (int h = 1; h <= highest_multiple(swimmer_.type.driving); ++h) {
-      const Complex rate(0, h * omega);
-      Eigen::VectorXcd harmonic(shape_.size());
-      for (int k = 0; k < harmonic.size(); ++k) harmonic[k] = harmonic_amplitude(drive.row(k), h);
-      const MatrixXcd equations =
-          rate * (unit + mobility_ * damping_) + (mobility_ * stiffness_).cast<Complex>();
-      const Eigen::VectorXcd p = solve(equations, harmonic);
+      Eigen::VectorXcd forces(shape_.size());
+      for (int k = 0; k < forces.size(); ++k) forces[k] = harmonic_amplitude(drives.row(k), h);
+      if (forces.norm() <= roundoff * drives.norm()) continue;
+      const Eigen::VectorXcd p = displacement_by(forces, h * omega);
       for (int m = 0; m < nodes_; ++m) {
         const Complex turn = std::polar(1.0, h * node_phase(m, nodes_));
         order.displacement.col(m) += (p * turn).real();
-        order.rate.col(m) += (p * (rate * turn)).real();
+        order.rate.col(m) += (p * (turn * Complex(0, h * omega))).real();
       }
     }
     return order;
@@ -186,9 +160,9 @@ class ShapeExpansion {
     const VectorXd rates = s * order.free_rates, p_rate = s * order.rate.col(m);
     Node result{.beads = beads(order, m, s), .velocity = {}, .residual = {}};
     Vec3 turning = Vec3::Zero();
-    for (std::size_t r = 0; r < free_.axes.size(); ++r) turning += rates[3 + r] * free_.axes[r];
-    const auto deforming = free_.columns.cols() - free_.rigid();
-    result.velocity = as_beads(p_rate + free_.columns.rightCols(deforming) * rates.tail(deforming));
+    for (std::size_t r = 0; r < axes_.size(); ++r) turning += rates[3 + r] * axes_[r];
+    const auto deforming = num_free_deformations();
+    result.velocity = as_beads(p_rate + springs_.free_motions.rightCols(deforming) * rates.tail(deforming));
     for (int b = 0; b < result.beads.cols(); ++b)
       result.velocity.col(b) += rates.head<3>() + turning.cross(Vec3(result.beads.col(b)));
     result.residual = as_components(result.velocity) -
@@ -198,13 +172,24 @@ class ShapeExpansion {
   }
 
  private:
+  /// Returns the complex displacement by oscillating drives. The part of the drives on free motions tows the
+  /// swimmer without deforming it.
+  Eigen::VectorXcd displacement_by(const Eigen::VectorXcd& forces, double angular_frequency) const {
+    const Eigen::VectorXcd towing =
+        towing_forces(mobility_, springs_.free_motions) * (springs_.free_motions.transpose() * forces);
+    const Eigen::VectorXcd tension = springs_.deformations * (forces - towing);
+    return linear_response(springs_, mobility_, tension, angular_frequency).displacement +
+           mobility_ * towing / Complex(0, angular_frequency);
+  }
+
   const ShapedSwimmer& swimmer_;
   PairTensorLaw law_;
   BeadVectors shape_;
   double period_;
   int nodes_;
-  MatrixXd mobility_, damping_, stiffness_;
-  FreeMotions free_;
+  MatrixXd mobility_;
+  std::vector<Vec3> axes_;
+  SpringNetwork springs_;
 };
 
 /// Quantities to second order in the drives, without the mean change of the shape: means over a period.
@@ -252,13 +237,13 @@ SecondOrder second_order_part(const ShapedSwimmer& swimmer, const ShapeExpansion
 
 /// Returns the amplitudes of the lengths of the bonds at the frequency of the driving.
 Stroke stroke_of_bonds(const SwimmerType& type, const ShapeExpansion& expansion, const Expansion& order) {
-  std::vector<Complex> amplitudes;
-  for (const Bond& bond : type.bonds) {
-    const auto [i, j] = bond.beads;
+  Eigen::VectorXcd amplitudes(std::ssize(type.bonds));
+  for (Eigen::Index k = 0; k < amplitudes.size(); ++k) {
+    const auto [i, j] = type.bonds[k].beads;
     const Vec3 along = (expansion.shape().col(j) - expansion.shape().col(i)).normalized();
     const Eigen::RowVectorXd length = along.transpose() * (order.displacement.middleRows<3>(3 * j) -
                                                            order.displacement.middleRows<3>(3 * i));
-    amplitudes.push_back(harmonic_amplitude(length, 1));
+    amplitudes[k] = harmonic_amplitude(length, 1);
   }
   return stroke_of(amplitudes);
 }
@@ -280,30 +265,32 @@ ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law)
   const ShapeExpansion expansion(swimmer, law);
   const Expansion order = expansion.first_order();
   const SecondOrder second = second_order_part(swimmer, expansion, order);
-  const MeanMotion mean = expansion.balance_mean(-second.residual);
+  const MeanBalance mean = expansion.balance(-second.residual);
   const VectorXd rates = order.free_rates + mean.free_rates;
-  const FreeMotions& free = expansion.free();
-  const auto drifting = free.columns.cols() - free.rigid();
+  const auto drifting = expansion.num_free_deformations();
   constexpr double negligible = 1e-9;
   if (drifting > 0 && rates.tail(drifting).norm() > negligible * order.rate.cwiseAbs().maxCoeff())
     throw InputError("the shape of the swimmer",
                      "the springs leave a deformation free, and the mean forces of the motion drive it; add "
                      "bonds or angular springs");
   ShapeMotion motion;
-  for (std::size_t r = 0; r < free.axes.size(); ++r) motion.angular_velocity += rates[3 + r] * free.axes[r];
-  motion.velocity = velocity_on_helix(rates.head<3>(), swimmer.type.driving.period * motion.angular_velocity);
+  const std::vector<Vec3>& axes = expansion.axes();
+  for (std::size_t r = 0; r < axes.size(); ++r) motion.angular_velocity += rates[3 + r] * axes[r];
+  motion.velocity_vector =
+      velocity_on_helix(rates.head<3>(), swimmer.type.driving.period * motion.angular_velocity);
+  motion.velocity = motion.velocity_vector.dot(swimmer.orientation.col(0));
   motion.stroke = stroke_of_bonds(swimmer.type, expansion, order);
   motion.power = second.power;
-  const BeadVectors mean_change = as_beads(order.displacement.rowwise().mean() + mean.displacement);
+  const BeadVectors mean_change = as_beads(order.displacement.rowwise().mean() + mean.deformation);
   motion.mean_shape = expansion.shape() + mean_change;
   const VectorXd at_rest = bond_lengths(swimmer.type, expansion.shape());
   for (std::size_t k = 0; k < swimmer.type.bonds.size(); ++k) {
     const auto [i, j] = swimmer.type.bonds[k].beads;
     const Vec3 along = (expansion.shape().col(j) - expansion.shape().col(i)).normalized();
     const Vec3 change = mean_change.col(j) - mean_change.col(i);
-    motion.bond_means.push_back(at_rest[k] + second.lengths[k] + along.dot(change));
+    motion.arm_changes.push_back(at_rest[k] - swimmer.type.bonds[k].rest_length + second.lengths[k] +
+                                 along.dot(change));
   }
-  motion.smallest_gap = std::numeric_limits<double>::infinity();
   for (int m = 0; m < expansion.nodes(); ++m)
     motion.smallest_gap = std::min(motion.smallest_gap, smallest_gap(swimmer, expansion.beads(order, m, 1)));
   return motion;

@@ -1,6 +1,7 @@
 #include "beadswim/theory/stroke.hpp"
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace beadswim {
@@ -24,7 +25,7 @@ double Stroke::area() const {
   return amplitude[0] * amplitude[1] * sin_phase_shift();
 }
 
-Stroke stroke_of(const std::vector<std::complex<double>>& complex_amplitude) {
+Stroke stroke_of(const Eigen::VectorXcd& complex_amplitude) {
   Stroke stroke{.amplitude = {}, .phase = {}};
   for (const std::complex<double>& x : complex_amplitude) {
     stroke.amplitude.push_back(std::abs(x));

@@ -13,6 +13,7 @@ Eigen::MatrixXd solve(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 Eigen::VectorXcd solve(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& a);
+Eigen::MatrixXcd inverse(const Eigen::MatrixXcd& a);
 
 /// Solutions of a x = b and a^T x = b.
 struct PairedSolutions {

@@ -1,65 +1,85 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/stroke.hpp"
 
-// Periodic motion of the beads about their positions at rest, to first order in the driving amplitude.
+// Motion of a swimmer about its relaxed shape to first order in the driving amplitude, and the mean motion
+// that mean velocities of second order cause. The coordinates xi are the displacements of the beads: one per
+// bead for beads on a line, three per bead in space.
 //
-// Every quantity q varies as Re(q exp(i omega t)). The complex arm amplitudes x solve
+//   first order    (i omega Z + K + i omega C) x = g,   f = D^T Z i omega x,   xi = mu f/(i omega)
+//   second order   V = W^T u,   Z^-1 K m = D u
+//                  Z = (D mu D^T)^-1,   W = mu^-1 R (R^T mu^-1 R)^-1
 //
-//   (i omega Z + K) x = g,   Z = (D mu D^T)^-1,   D^T g = F = (-iA, iA + iB exp(i alpha), -iB exp(i alpha)).
+//   mu     mobility at rest [time/mass]: real without inertia of the fluid, complex with it
+//   D      matrix that maps displacements to deformations; x = D xi. Arms on a line are
+//          D = [[-1, 1, 0], [0, -1, 1]]
+//   R      free motions, which deform no spring (D R = 0): on a line the translation (1, 1, 1)
+//   K, C   stiffness [mass/time^2] and damping [mass/time] of the deformations
+//   g      tensions by the driving: D^T g are the driving forces without their part on free motions
+//   x, f   complex amplitudes q of Re(q exp(i omega t)): deformations [length], total forces on the beads
+//   W      forces that tow the rigid swimmer: column k causes a unit rate of free motion k alone
+//   u      mean velocities that the oscillation gives to the beads [length/time]
+//   V, m   rates of the free motions; mean deformations [length], which balance u
 //
-//   D    [[-1, 1, 0], [0, -1, 1]]: maps bead velocities to rates of the arm lengths
-//   F    driving forces on the beads, equation (2.1) of Pickl et al. 2017 [mass length/time^2]
-//   g    tensions of the two arms by the driving [mass length/time^2]
-//   mu   mobility at rest [time/mass]: real without inertia of the fluid, complex with it
-//   K    diag(k_i + i omega c_i): springs and dashpots exert the forces -D^T K x [mass/time^2]
+// The forces D^T Z i omega x avoid loss of significance for slow driving, where driving and spring forces
+// nearly cancel. The tensions K m are internal forces, which the weights W eliminate from V.
 //
-// The total forces f on the beads sum to zero. They and the bead displacements xi follow from the arm
-// amplitudes:
-//
-//   f = D^T Z i omega x,   xi = mu f / (i omega).
-//
-// This form avoids loss of significance for slow driving, where driving and spring forces nearly cancel.
-//
-// The equations are valid for any radii, arms, stiffnesses, dashpots, A, B and alpha. They contain all orders
-// in the ratio of radius to arm length. Page: docs/method/linear-response.md.
+// The equations are valid for any radii, shape, springs and driving. They contain all orders in the ratio of
+// radius to bead distance. Pages: docs/method/linear-response.md, docs/method/second-order-perturbation.md.
 
 namespace beadswim {
 
-/// Complex amplitudes of the periodic motion, to first order in the driving amplitude.
-struct LinearResponse {
-  Eigen::Vector2cd arm;           ///< x_i, change of arm i: Re(x_i exp(i omega t)) [length]
-  Eigen::Vector3cd displacement;  ///< xi_i, displacement of bead i [length]
-  Eigen::Vector3cd force;  ///< f: sum of driving, spring and dashpot forces on each bead [mass length/time^2]
+/// Springs of a swimmer on its relaxed shape: the matrices D, R, K and C.
+struct SpringNetwork {
+  Eigen::MatrixXd deformations, free_motions, stiffness, damping;
 };
 
-/// Returns D, which maps the velocities of the three beads to the rates of the two arm lengths.
+/// Complex amplitudes of the periodic motion, to first order in the driving amplitude.
+struct LinearResponse {
+  Eigen::VectorXcd arm;           ///< x, changes of the arms or other deformations [length]
+  Eigen::VectorXcd displacement;  ///< xi [length]
+  Eigen::VectorXcd force;  ///< f: sum of driving, spring and dashpot forces on each bead [mass length/time^2]
+};
+
+/// Returns the response to the tensions g [mass length/time^2].
+LinearResponse linear_response(const SpringNetwork& springs, const Eigen::MatrixXcd& mobility,
+                               const Eigen::VectorXcd& tension, double angular_frequency);
+
+/// Returns the displacements of the beads and the forces on them, if the deformations oscillate with the
+/// complex amplitudes `arm` [length]. `deformations`: D.
+LinearResponse response_to_stroke(const Eigen::MatrixXd& deformations, const Eigen::VectorXcd& arm,
+                                  const Eigen::MatrixXcd& mobility, double angular_frequency);
+
+/// Returns W, for a swimmer on a line the share of each bead in the force that tows it (column R = 1).
+Eigen::MatrixXd towing_forces(const Eigen::MatrixXd& mobility, const Eigen::MatrixXd& free_motions);
+Eigen::VectorXd towing_forces(const Eigen::MatrixXd& mobility);
+
+/// Rates V of the free motions and mean deformations m.
+struct MeanBalance {
+  Eigen::VectorXd free_rates, deformation;
+};
+
+/// Returns the mean motion that balances the mean velocities u = `drift` [length/time].
+MeanBalance balance_mean(const SpringNetwork& springs, const Eigen::MatrixXd& mobility,
+                         const Eigen::VectorXd& drift);
+
+/// Returns D of the two arms of a collinear swimmer.
 Eigen::Matrix<double, 2, 3> arm_rates();
 
-/// Returns g, the complex tensions of the two arms by the driving: F = D^T g [mass length/time^2]. The
-/// driving forces are sines, and A sin(omega t) = Re(-iA exp(i omega t)).
+SpringNetwork springs_of(const CollinearSwimmer& swimmer);
+
+/// Returns g of a collinear swimmer, F = D^T g with the driving forces F = (-iA, iA + iB exp(i alpha), -iB
+/// exp(i alpha)) of equation (2.1) of Pickl et al. 2017 [mass length/time^2].
 Eigen::Vector2cd driving_tensions(const CollinearSwimmer& swimmer);
-
-/// Returns Z = (D mu D^T)^-1, which maps the rates of the two arm lengths to the tensions of the arms
-/// [mass/time]. mu = `mobility` is the matrix of the three beads [time/mass], D = arm_rates().
-Eigen::Matrix2cd arm_impedance(const Eigen::Matrix3cd& mobility);
-
-/// Returns the complex arm amplitudes x [length] under the driving, the solution of (i omega Z + K) x = g,
-/// where Z is `impedance` [mass/time], K the stiffness of springs and dashpots, and g = driving_tensions().
-Eigen::Vector2cd driven_arms(const CollinearSwimmer& swimmer, const Eigen::Matrix2cd& impedance);
 
 /// Returns the mean power of the driving forces, P = 1/2 Re sum_i g_i (i omega x_i)* [mass length^2/time^3],
 /// if the arm lengths vary by `stroke`. It is exact at any amplitude if `stroke` is the part of the motion
 /// with the frequency of the driving, because the driving forces are pure sines.
 double mean_power(const CollinearSwimmer& swimmer, const Stroke& stroke);
-
-/// Returns the displacements of the beads and the forces on them, if the arms oscillate with the complex
-/// amplitudes `arm` [length] at `angular_frequency` [rad/time]. `mobility`: of the beads at rest [time/mass].
-LinearResponse response_to_stroke(const Eigen::Vector2cd& arm, const Eigen::Matrix3cd& mobility,
-                                  double angular_frequency);
 
 /// Returns the linear response of the swimmer to its driving. `mobility`: of the beads at rest [time/mass];
 /// complex with inertia of the fluid.

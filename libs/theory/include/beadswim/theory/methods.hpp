@@ -10,6 +10,8 @@
 
 namespace beadswim {
 
+struct BeadMobility;
+
 /// A method of prediction: a row of the table that methods() returns.
 struct Method {
   std::string name;
@@ -20,9 +22,8 @@ struct Method {
   /// Returns the prediction. Requires a question without obstacle. Throws InputError if the calculation
   /// fails.
   std::function<Prediction(const Question& question)> predict;
-  /// Returns the drag coefficient of the swimmer that is towed along its axis in open space, with the steady
-  /// mobility of the method, at the positions of the beads [mass/time].
-  double (*towing_drag)(const CollinearSwimmer& swimmer, const LinePositions& positions);
+  const BeadMobility*
+      mobility;  ///< steady mobility in open space, by which the swimmer is towed for its efficiency
   /// Returns the prediction for a swimmer of any shape; nullptr: the method is for three beads on a line
   /// only.
   std::function<Prediction(const ShapeQuestion& question)> predict_shape = nullptr;
@@ -39,9 +40,10 @@ const std::vector<Method>& methods();
 /// name and all names.
 const Method& find_method(const std::string& name);
 
-/// Returns the drag coefficient of the towed swimmer (Method::towing_drag) with these arm lengths [length].
-/// Uses only radii and viscosity of `swimmer`. Returns nullopt if beads touch or nearly touch, or if their
-/// radii differ too much for the method.
+/// Returns the drag coefficient of the swimmer with these arm lengths [length] that is towed along its axis
+/// in open space, with the steady mobility of the method [mass/time]. Uses only radii and viscosity of
+/// `swimmer`. Returns nullopt if beads touch or nearly touch, or if their radii differ too much for the
+/// method.
 std::optional<double> towing_drag(const Method& method, const CollinearSwimmer& swimmer,
                                   const std::array<double, 2>& arm);
 

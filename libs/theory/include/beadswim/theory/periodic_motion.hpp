@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <functional>
 
 #include "beadswim/collinear/collinear_mobility.hpp"
@@ -23,7 +22,7 @@
 // motion at the nodes for p and V. M increases until the highest quarter of the harmonics is negligible.
 //
 // Velocity: the forces sum to zero, hence sum_k w_k(x) dx_k/dt = 0 at every time, where w_k is the share of
-// bead k in the force that tows a rigid swimmer (perturbation.hpp). Therefore
+// bead k in the force that tows a rigid swimmer (linear_response.hpp). Therefore
 //
 //   V = - < sum_k (w_k(x) - w_k(X)) dp_k/dt >,    < >: mean over a period.
 //
@@ -35,15 +34,6 @@ namespace beadswim {
 
 /// Returns the mobility of the three beads for given bead positions.
 using MobilityFunction = std::function<CollinearMobility(const LinePositions&)>;
-
-/// Velocity and stroke of the periodic motion.
-struct PeriodicMotion {
-  double velocity = 0;                ///< V, positive towards bead 3 [length/time]
-  std::array<double, 2> arm_means{};  ///< mean arm lengths over a period [length]
-  Stroke stroke;                      ///< first harmonic of the arm lengths, as in stroke.hpp
-  double smallest_gap = 0;            ///< minimum over the cycle of the gaps of neighbouring beads [length]
-  int nodes = 0;                      ///< number of nodes (equidistant times) per period
-};
 
 /// Returns the periodic motion about the bead positions `rest`, at which the springs are relaxed. The gaps of
 /// neighbouring beads must stay above `min_gap` [length].

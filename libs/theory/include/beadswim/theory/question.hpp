@@ -26,7 +26,7 @@ struct BoxPlace {
 /// of all methods.
 struct ExactStokes {
   CollinearMobility mobility;   ///< mobility of the beads at rest
-  SecondOrderMotion motion;     ///< motion to second order in the driving amplitude
+  PeriodicMotion motion;        ///< motion to second order in the driving amplitude
   double amplitude_change = 0;  ///< estimated relative change of the swimmer's velocity at finite amplitude
 };
 

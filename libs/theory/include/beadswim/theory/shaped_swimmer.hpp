@@ -50,17 +50,18 @@ struct ShapedSwimmer {
   bool operator==(const ShapedSwimmer&) const = default;
 };
 
-/// Mean motion and stroke over a period.
-struct ShapeMotion {
+/// Motion of a swimmer of any shape.
+struct ShapeMotion : PeriodicMotion {
   /// D/T, of the cycle in whose middle the swimmer has the orientation of the layout, in the box
   /// [length/time]
-  Vec3 velocity = Vec3::Zero();
+  Vec3 velocity_vector = Vec3::Zero();
   Vec3 angular_velocity = Vec3::Zero();  ///< Omega, in the box [radian/time]
-  Stroke stroke;                         ///< first harmonics of the lengths of the bonds
-  std::vector<double> bond_means;        ///< mean lengths of the bonds [length]
   double power = 0;                      ///< mean power of the drives [mass length^2/time^3]
   BeadVectors mean_shape;                ///< mean positions of the beads in the moving frame [length]
-  double smallest_gap = 0;               ///< smallest gap between surfaces of beads in the motion [length]
+  double numerical_error = 0;            ///< estimated, of V at finite amplitude [length/time]
+  /// Angle between the orientation of the mean shape and that at the start, if drives act along directions of
+  /// the box and turn the swimmer until its motion is periodic [radian].
+  double turn = 0;
 };
 
 /// Returns the beads where springs and angular springs, with their drives at time 0, exert no forces, near
@@ -74,21 +75,12 @@ BeadVectors relaxed_shape(const ShapedSwimmer& swimmer);
 ///
 ///   R(p, V, Omega) = dp/dt + V + Omega x (X + p) - mu (F - C dp/dt) = 0
 ///
-/// First order: each harmonic n of p solves (i n w (1 + mu C) + mu K) p_n = mu f_n with the stiffness K and
-/// the harmonics f_n of the drives. Second order: the mean of the quadratic part of R, evaluated by a central
-/// difference, is balanced by V, Omega and a mean change of the shape.
+/// First order: each harmonic of the drives causes its linear response (linear_response.hpp). Second order:
+/// the mean of the quadratic part of R, evaluated by central differences, is the drift u, which V, Omega and
+/// a mean change of the shape balance.
 ///
 /// Throws InputError if the springs leave a deformation free, which then drifts, or over a wall or in a flow.
 ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law);
-
-/// Motion at finite amplitude, with details of its calculation.
-struct PeriodicShapeMotion : ShapeMotion {
-  int steps = 0;               ///< time steps per period
-  double numerical_error = 0;  ///< estimated, of V [length/time]
-  /// Angle between the orientation of the mean shape and that at the start, if drives act along directions of
-  /// the box and turn the swimmer until its motion is periodic [radian].
-  double turn = 0;
-};
 
 /// Returns the periodic motion at finite amplitude. The equations of motion are integrated by the method
 /// Radau IIA of order 5 over one cycle after the other until the shape at the end of a cycle is that at its
@@ -96,7 +88,7 @@ struct PeriodicShapeMotion : ShapeMotion {
 /// V changes by less than 1e-7 of the speed of the beads.
 ///
 /// Throws InputError if the motion does not become periodic, or if beads touch.
-PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law);
+ShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law);
 
 /// Returns the drag coefficient of the swimmer with the beads at `shape`, relative to its place, towed
 /// along `axis` without rotation [mass/time].

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <complex>
+#include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 namespace beadswim {
@@ -23,6 +24,17 @@ struct Stroke {
 
 /// Returns the stroke of arms whose lengths change by Re(x_i exp(i omega t)), x = `complex_amplitude`
 /// [length].
-Stroke stroke_of(const std::vector<std::complex<double>>& complex_amplitude);
+Stroke stroke_of(const Eigen::VectorXcd& complex_amplitude);
+
+/// Mean motion and stroke of a swimmer over a period of its driving, to second order in the driving or at
+/// finite amplitude.
+struct PeriodicMotion {
+  double velocity = 0;  ///< V along the axis of the swimmer; of a line, towards bead 3 [length/time]
+  Stroke stroke;        ///< first harmonic of the arm lengths
+  std::vector<double> arm_changes;  ///< mean arm lengths minus rest lengths [length]
+  /// Smallest gap between surfaces of beads, or of a bead and a wall, in the motion [length].
+  double smallest_gap = std::numeric_limits<double>::infinity();
+  int samples = 0;  ///< equidistant times per period at which a motion at finite amplitude was computed
+};
 
 }  // namespace beadswim
