@@ -8,7 +8,6 @@
 #include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/reason_against.hpp"
 #include "beadswim/lattice/trt.hpp"
-#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/perturbation.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
@@ -45,12 +44,12 @@ Speeds predicted_speeds_of_shape(const SwimmerType& type, double viscosity) {
 
 /// Returns the speeds of a swimmer of this type; of three beads, with the driving along their axis.
 Speeds predicted_speeds(const SwimmerType& type, double viscosity) {
-  if (!three_bead_form(type)) return predicted_speeds_of_shape(type, viscosity);
-  const CollinearSwimmer swimmer = collinear_swimmer(three_beads(type), Vec3::UnitX(), viscosity);
-  const CollinearMobility mobility = rest_mobility(swimmer, rotne_prager);
-  const Eigen::Vector3cd displacement = linear_response(swimmer, mobility.value).displacement;
-  return {.bead = swimmer.angular_frequency() * displacement.cwiseAbs().maxCoeff(),
-          .swimmer = std::abs(second_order_motion(swimmer, mobility).velocity)};
+  const std::optional<CollinearSwimmer> swimmer = collinear_swimmer(type, viscosity);
+  if (!swimmer) return predicted_speeds_of_shape(type, viscosity);
+  const CollinearMobility mobility = rest_mobility(*swimmer, rotne_prager);
+  const Eigen::Vector3cd displacement = linear_response(*swimmer, mobility.value).displacement;
+  return {.bead = swimmer->angular_frequency() * displacement.cwiseAbs().maxCoeff(),
+          .swimmer = std::abs(second_order_motion(*swimmer, mobility).velocity)};
 }
 
 }  // namespace

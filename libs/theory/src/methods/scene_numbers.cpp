@@ -8,16 +8,10 @@
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
-#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/linear_response.hpp"
 
 namespace beadswim {
 namespace {
-
-/// Returns the collinear swimmer of a type, with the driving forces along the axis of the swimmer.
-CollinearSwimmer along_own_axis(const ThreeBeadSwimmer& type, const Fluid& fluid) {
-  return collinear_swimmer(type, Vec3::UnitX(), fluid.dynamic_viscosity());
-}
 
 /// Returns the box edges, divided by the length of the swimmer along its axis.
 std::array<double, 3> box_over_length(const Box& domain, const SwimmerType& type) {
@@ -45,16 +39,15 @@ TypeNumbers type_numbers(const SwimmerType& type, const Layout& layout) {
     numbers.strain_per_period = shear_rate * type.driving.period;
     numbers.shear_reynolds = shear_rate * largest * largest / nu;
   }
-  const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
-  if (!three) return numbers;
-  const CollinearSwimmer swimmer = along_own_axis(*three, layout.fluid);
-  const std::array<double, 3> speed = bead_speeds(swimmer);
-  numbers.phase = three->driving.phase;
+  const auto swimmer = collinear_swimmer(type, layout.fluid.dynamic_viscosity());
+  if (!swimmer) return numbers;
+  const std::array<double, 3> speed = bead_speeds(*swimmer);
+  numbers.phase = swimmer->phase;
   numbers.reynolds = 0;
   for (int i = 0; i < 3; ++i)
     numbers.reynolds = std::max(*numbers.reynolds, 2 * type.beads[i].radius * speed[i] / nu);
-  const Stroke stroke = first_order_stroke(swimmer, rotne_prager);
-  numbers.arm_amplitude = {stroke.amplitude.begin(), stroke.amplitude.end()};
+  const Stroke stroke = first_order_stroke(*swimmer, rotne_prager);
+  numbers.arm_amplitude = stroke.amplitude;
   return numbers;
 }
 
@@ -68,13 +61,9 @@ ResolutionNumbers resolution_numbers(const Layout& layout) {
   bool is_known = true;
   for (const auto& [name, type] : layout.types) {
     numbers.steps_per_period[name] = type.driving.period / numbers.time_step;
-    const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
-    if (!three) {
-      is_known = false;
-      continue;
-    }
-    for (const double speed : bead_speeds(along_own_axis(*three, layout.fluid)))
-      fastest = std::max(fastest, speed);
+    const auto swimmer = collinear_swimmer(type, layout.fluid.dynamic_viscosity());
+    is_known = is_known && swimmer;
+    if (swimmer) fastest = std::max(fastest, std::ranges::max(bead_speeds(*swimmer)));
   }
   if (is_known) numbers.mach = fastest / sound_speed;
   if (layout.domain.box) numbers.cells_in_box = layout.domain.box->lengths.prod() / std::pow(numbers.cell, 3);

@@ -70,6 +70,12 @@ CollinearSwimmer collinear_swimmer(const ThreeBeadSwimmer& type, const Vec3& axi
   return swimmer;
 }
 
+std::optional<CollinearSwimmer> collinear_swimmer(const SwimmerType& type, double viscosity) {
+  const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
+  if (!three) return std::nullopt;
+  return collinear_swimmer(*three, Vec3::UnitX(), viscosity);
+}
+
 std::complex<double> inverse_penetration_depth(const CollinearSwimmer& swimmer, double fluid_density) {
   return std::sqrt(std::complex<double>(0, swimmer.angular_frequency() * fluid_density / swimmer.viscosity));
 }

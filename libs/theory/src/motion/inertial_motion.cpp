@@ -40,9 +40,8 @@ InertialScene unbounded_scene(const Question& question) {
 InertialScene inertial_scene(const Question& question) {
   InertialScene scene = unbounded_scene(question);
   if (!question.box) return scene;
-  const auto& [box, middle] = *question.box;
-  scene.flow = LineFlow(question.swimmer.viscosity, box, middle[1], middle[2]);
-  for (double& x : scene.positions) x += middle[0];
+  scene.flow = box_line_flow(*question.box, question.swimmer.viscosity);
+  scene.positions = rest_positions(question.swimmer, *question.box);
   return scene;
 }
 

@@ -105,6 +105,15 @@ Eigen::MatrixXd ShapeFlow::relaxation(const BeadVectors& beads, double time) con
   return solve(unit + mu * damping(beads), undamped);
 }
 
+BeadVectors relaxed_shape(const ShapedSwimmer& swimmer) {
+  const RelaxedShape shape = relaxed_shape(swimmer.type);
+  if (!shape.is_converged)
+    throw InputError("the swimmer's shape at rest",
+                     "the springs find no shape in which they exert no forces; give bonds and "
+                     "angles rest lengths and rest angles that fit together");
+  return swimmer.orientation * centred(shape.beads);
+}
+
 double towing_drag(const ShapedSwimmer& swimmer, const BeadVectors& shape, const Vec3& axis,
                    PairTensorLaw law) {
   const Eigen::VectorXd along = axis.replicate(shape.cols(), 1);

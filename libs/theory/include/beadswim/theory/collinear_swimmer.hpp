@@ -2,6 +2,7 @@
 
 #include <array>
 #include <complex>
+#include <optional>
 
 #include "beadswim/collinear/collinear_mobility.hpp"
 #include "beadswim/core/vec3.hpp"
@@ -42,6 +43,10 @@ bool stays_on_a_line(const ThreeBeadSwimmer& type, const Vec3& axis);
 /// Throws InputError if the driving frame is `lab` and the axis is not parallel to x: the beads would leave
 /// the line. Throws InputError if a spring has no stiffness: the mean arm length would be undetermined.
 CollinearSwimmer collinear_swimmer(const ThreeBeadSwimmer& type, const Vec3& axis, double viscosity);
+
+/// Returns the collinear swimmer of a type, driven along its own axis; nullopt if the type has no
+/// three_bead_form(). Throws InputError if a spring has no stiffness.
+std::optional<CollinearSwimmer> collinear_swimmer(const SwimmerType& type, double viscosity);
 
 /// Returns alpha = sqrt(i omega rho/eta) with Re alpha > 0 [1/length], where rho is `fluid_density`, and
 /// omega and eta are the angular frequency and the dynamic viscosity of `swimmer`. Vorticity decays as
