@@ -108,7 +108,9 @@ std::vector<RingNode> outside_nodes(std::span<const double> radii, std::span<con
   std::vector<RingNode> nodes;
   for (std::size_t i = 0; i < spheres; ++i) {
     const double before = i > 0 ? gap(i - 1) / 2 : infinite, after = i + 1 < spheres ? gap(i) / 2 : infinite;
-    const double thinnest = std::min({radii[i], depth, 2 * before, 2 * after});
+    constexpr double min_gap_over_radius = 0.01;  // also of beads that touch
+    const double nearest = std::max(2 * std::min(before, after), min_gap_over_radius * radii[i]);
+    const double thinnest = std::min({radii[i], depth, nearest});
     const std::vector<double> shells = shells_of(radii[i], thinnest, reach);
     add_region({positions[i], radii[i], -1, radii[i] + before}, shells, count, nodes);
     add_region({positions[i], radii[i], 1, radii[i] + after}, shells, count, nodes);
