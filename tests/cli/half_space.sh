@@ -25,7 +25,7 @@ run beadswim-compare over-run.json over-theory.json --tolerance 0.01
 has_status 0
 run beadswim-theory over.json
 has_status 0
-check 'other methods ignore the wall' holds '[.predictions[].method] == ["oseen-ode", "rpy-ode"]' out
+check 'other methods ignore the wall' holds '[.predictions[].method] == ["oseen-perturbation", "rpy-perturbation", "oseen-ode", "rpy-ode"]' out
 
 # --- `check` states the height and, with a flow, the strain per period
 run beadswim-layout check --json over.json
@@ -180,7 +180,7 @@ jq '.swimmers += [.swimmers[0] | .id = 1 | .position[0] += 300]' over.json >two.
 accepts beadswim-theory two.json --method rpy-ode
 jq '.swimmers[1].position[2] += 1' two.json >bad.json
 refuses 'swimmers 0 and 1 differ' beadswim-theory bad.json --method rpy-ode
-run beadswim-theory over.json --method rpy-perturbation
+run beadswim-theory sheared.json --method rpy-perturbation
 has_status 2
 
 finish

@@ -226,6 +226,24 @@ TEST(SecondOrderMotionOfShapes, IsTheLimitOfFiniteAmplitude) {
   }
 }
 
+// Place and orientation over a wall are those at time 0 in the motion at finite amplitude, their means in that of
+// second order: the difference is of third order in the drives.
+TEST(SecondOrderMotionOfShapes, IsTheLimitOfFiniteAmplitudeOverAWall) {
+  const auto difference = [](double factor) {
+    Triangle triangle;
+    triangle.amplitude = {3 * factor, 2 * factor, factor};
+    ShapedSwimmer swimmer = of_gallery(triangle);
+    swimmer.half_space = HalfSpace{};
+    swimmer.place = Vec3(0, 0, 20);
+    const ShapeMotion small = second_order_motion(swimmer, rotne_prager_tensor);
+    const ShapeMotion finite = periodic_motion(swimmer, rotne_prager_tensor);
+    EXPECT_NEAR(small.angular_velocity.norm() / finite.angular_velocity.norm(), 1, 0.2 * factor);
+    return std::max((small.velocity_vector - finite.velocity_vector).norm(),
+                    (small.angular_velocity - finite.angular_velocity).norm() * 10);
+  };
+  EXPECT_NEAR(difference(0.2) / difference(0.1), 8, 1);
+}
+
 // A steady couple that turns with the swimmer rotates it at first order in the drives. Its product with the
 // oscillation changes V at second order; the difference from finite amplitude is of third order. The power of
 // the couple is its torque times the rotation.

@@ -51,10 +51,9 @@ void add_power(const Method& method, const CollinearSwimmer& swimmer, Prediction
 
 /// Returns the names of the methods that treat the swimmer, in the order of methods().
 std::vector<std::string> methods_for(const ShapedSwimmer& swimmer) {
-  const bool is_in_open_space = !swimmer.half_space && swimmer.flow.is_zero();
   std::vector<std::string> names;
   for (const Method& method : methods())
-    if (method.predict_shape != nullptr && (is_in_open_space || method.treats_flow))
+    if (method.predict_shape != nullptr && (swimmer.flow.is_zero() || method.treats_flow))
       names.push_back(method.name);
   return names;
 }

@@ -212,8 +212,8 @@ SecondOrder even_part(const ShapedSwimmer& swimmer, const ShapeExpansion& expans
   const VectorXd at_rest = bond_lengths(swimmer.type, expansion.shape());
   SecondOrder sum{VectorXd::Zero(expansion.shape().size()), VectorXd::Zero(at_rest.size())};
   for (const double sign : {1.0, -1.0}) {
-    const ShapedSwimmer scaled{with_drives_scaled(swimmer.type, sign * s), swimmer.orientation,
-                               swimmer.viscosity};
+    ShapedSwimmer scaled = swimmer;
+    scaled.type = with_drives_scaled(swimmer.type, sign * s);
     for (int m = 0; m < expansion.nodes(); ++m) {
       const ShapeExpansion::Node node = expansion.node(scaled, order, m, sign * s);
       sum = sum + SecondOrder{node.residual, bond_lengths(swimmer.type, node.beads) - at_rest,
@@ -258,10 +258,12 @@ Vec3 velocity_on_helix(const Vec3& v, const Vec3& turn) {
 }  // namespace
 
 ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
-  if (swimmer.half_space || !swimmer.flow.is_zero())
-    throw InputError("the domain or flow",
-                     "methods of second order treat a swimmer in open space in fluid at rest; use a method "
-                     "whose name ends in -ode");
+  const auto is_constant = [](const ForceDrive& drive) { return drive.constant != 0; };
+  if (!swimmer.flow.is_zero() ||
+      (swimmer.half_space && std::ranges::any_of(swimmer.type.driving.forces, is_constant)))
+    throw InputError("the flow or the forces",
+                     "methods of second order treat a swimmer in fluid at rest, over a wall without constant "
+                     "forces; use a method whose name ends in -ode");
   const ShapeExpansion expansion(swimmer, law);
   const Expansion order = expansion.first_order();
   const SecondOrder second = second_order_part(swimmer, expansion, order);

@@ -27,7 +27,7 @@ struct Method {
   /// Returns the prediction for a swimmer of any shape; nullptr: the method is for three beads on a line
   /// only.
   std::function<Prediction(const ShapeQuestion& question)> predict_shape = nullptr;
-  bool treats_flow = false;  ///< predict_shape also treats a background flow and a half-space
+  bool treats_flow = false;  ///< predict_shape also treats a background flow
 
   /// Returns whether the method uses a measured stroke.
   bool uses_stroke() const { return input == Input::stroke || input == Input::driving_or_stroke; }
