@@ -82,7 +82,7 @@ check 'a fast uniform flow changes the motion' holds '[., input] | map(.swimmers
 run beadswim-run carried.json -o carried.h5md "${settings[@]}" --cycles 1
 check 'a uniform flow changes more than the velocity' holds '[., input] | map(.swimmers[0].cycles[0].velocity) | (.[1][0] - .[0][0] - 1e-4 | fabs) < 1e-9 and (.[1][1] - 2e-4 | fabs) < 1e-9' free-run.json out
 
-refuses 'multipole-ode: .*methods for this swimmer are oseen-ode, rpy-ode$' beadswim-theory over.json --method multipole-ode
+refuses 'multipole-ode: .*methods for this swimmer are oseen-perturbation, rpy-perturbation, oseen-ode, rpy-ode$' beadswim-theory over.json --method multipole-ode
 
 # --- a run warns of beads that come to the wall later
 beadswim-layout shape sphere --half-space z --position 0,0,30 --force 2 --direction 0,0,-1 --amplitude 0 >sink.json

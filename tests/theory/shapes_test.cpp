@@ -226,8 +226,8 @@ TEST(SecondOrderMotionOfShapes, IsTheLimitOfFiniteAmplitude) {
   }
 }
 
-// Place and orientation over a wall are those at time 0 in the motion at finite amplitude, their means in that of
-// second order: the difference is of third order in the drives.
+// Place and orientation over a wall are those at time 0 in the motion at finite amplitude, their means in
+// that of second order: the difference is of third order in the drives.
 TEST(SecondOrderMotionOfShapes, IsTheLimitOfFiniteAmplitudeOverAWall) {
   const auto difference = [](double factor) {
     Triangle triangle;

@@ -79,8 +79,8 @@ BeadVectors relaxed_shape(const ShapedSwimmer& swimmer);
 /// the mean of the quadratic part of R, evaluated by central differences, is the drift u, which V, Omega and
 /// a mean change of the shape balance.
 ///
-/// Throws InputError if the springs leave a deformation free, which then drifts, in a flow, or under constant forces
-/// over a wall.
+/// Throws InputError if the springs leave a deformation free, which then drifts, in a flow, or under constant
+/// forces over a wall.
 ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law);
 
 /// Returns the periodic motion at finite amplitude. The equations of motion are integrated by the method
