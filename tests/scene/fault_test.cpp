@@ -30,7 +30,8 @@ TEST(Faults, OfATornArmNameItsBeads) {
   const SwimmerType type = paper_single().types.begin()->second;
   const double rest = type.bonds[1].rest_length;
   const auto torn_at = [&](double length) {
-    return torn_arm(type, 5, [&](int b) { return b == 2 ? Vec3(length, 0, 0) : Vec3(-rest * (1 - b), 0, 0); });
+    return torn_arm(type, 5,
+                    [&](int b) { return b == 2 ? Vec3(length, 0, 0) : Vec3(-rest * (1 - b), 0, 0); });
   };
   EXPECT_FALSE(torn_at(1.99 * rest));
   const std::optional<Fault> torn = torn_at(2.5 * rest);
