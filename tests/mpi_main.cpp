@@ -1,10 +1,11 @@
 // Runs GoogleTest cases on all ranks. The process fails if a case fails on any rank. Every rank prints its
 // failures; only rank 0 prints the results.
 #include <gtest/gtest.h>
-#include <mpi.h>
+
+#include "beadswim/core/communicator.hpp"
 
 int main(int argc, char** argv) {
-  MPI_Init(&argc, &argv);
+  const beadswim::MpiSession mpi(&argc, &argv);
   testing::InitGoogleTest(&argc, argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -21,6 +22,5 @@ int main(int argc, char** argv) {
   }
   int failed = RUN_ALL_TESTS();
   MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-  MPI_Finalize();
   return failed;
 }

@@ -66,14 +66,14 @@ def pi: 3.141592653589793;
 
 "\n### The paper's box\n",
 "Runs with `mr`, 4 cells per radius and levels of cells in the free-slip box 1200 x 800 x 800.\n",
-($all | map(select(.name == "levels" and (.run.driving.period | IN(5000, 7000, 9000) | not))) | sort_by(.run.driving.period)
+($all | map(select(.name == "levels" and (.run.driving.period | IN(4000, 5000, 6000, 7000, 8000, 9000) | not))) | sort_by(.run.driving.period)
  | map((.run | seen) as $r | ["\(.run.driving.period)", "\($r.d1 | digits(4)), \($r.d2 | digits(4)), \($r.sine | rounded(3)), \($r.v | small)",
      errors, uncertainty] | row)
  | table(["period T [step]", "arm amplitudes d1, d2 [cell], sin β, velocity v [1e-5 cell/step]", "errors of d1, d2, v relative to `inertia-corrected` [%]", "uncertainty of predicted v [%]"])),
 
 "\n### Levels of cells\n",
 "Free-slip boxes, runs with `mr`, 2 cells per radius and single precision.\n",
-($all | map(select(.name == "walls-levels" and (box | IN("160 x 80 x 80", "400 x 260 x 260") | not))
+($all | map(select(.name == "walls-levels" and (box | IN("160 x 80 x 80", "200 x 120 x 120", "400 x 260 x 260") | not))
    | box as $box | (.run | seen) as $r
    | ([$all[] | select(.name == "walls" and box == $box and .run.domain.boundary[0] == "free-slip")][0]) as $one | ($one | if . then (.run | seen) else null end) as $u
    | [$box, "\(.run.resolution.levels | length)", ($r.v | small),

@@ -22,7 +22,7 @@ def shown: {
   "levels of cells": "^τ = 4$|20, T",
   "narrow box": "^1[02] wide, 4",
   "places": "diagonal, across",
-  "relaxation time": "^τ = (0.52|4|6)$",
+  "relaxation time": "^τ = (0.52|4)$",
   "rest": "^$",
   "small beads": "1 cells.*(mr|psm|staircase)$",
   "speed": "^A = 40,",

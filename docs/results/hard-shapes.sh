@@ -32,7 +32,7 @@ simulate() { # FLAGS...   prints the outcome as a JSON object
   fi
   jq -n --argjson exit "$status" --arg flags "$*" --arg folder "$work/" --rawfile err "$work/err" --slurpfile run "$work/out" \
     '{flags: $flags, exit: $exit, status: ($run[0].status // if $exit == 2 then "refused" else "failed" end),
-      reason: ($run[0].reason // if $exit == 0 then "" else ($err | split("\n") | map(select(startswith("beadswim-"))) | last // "no message") end | split($folder) | join("")),
+      reason: ($run[0].reason // if $exit == 0 then "" else ($err | split("\n") | map(select(startswith("beadswim-"))) | last // "no message of its own: \($err[-300:])") end | split($folder) | join("")),
       warned: ($err | test("warning")),
       cycle: ($run[0].swimmers[0].cycles[-1] // null | if . then {velocity: ([.velocity, .mean_flow // [0, 0, 0]] | transpose | map(.[0] - .[1])),
         arm_amplitudes, angular_velocity} else null end),

@@ -10,8 +10,8 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/scene/presets.hpp"
+#include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
-#include "beadswim/theory/perturbation.hpp"
 #include "beadswim/theory/question.hpp"
 
 namespace {

@@ -71,6 +71,11 @@ judged 0 beadswim-compare run.json run.json --quantity velocity_y,arm_phases
 holds '[.rows[] | [.quantity, .arm]] == [["velocity_y", null], ["arm_phases", 1], ["arm_phases", 2]]'
 valid verdict out
 err_has '^arm phase delta2 '
+edited run.json '.swimmers[0].cycles[].velocity[1] += 1e-3' >aside.json
+judged 1 beadswim-compare aside.json run.json --quantity velocity,speed_along_axis,speed_across_axis
+holds '[.rows[] | [.quantity, .pass]] == [["velocity", false], ["speed_along_axis", true], ["speed_across_axis", false]]'
+holds '(.rows[2].run / 1e-3 - 1 | fabs) < 1e-9'
+valid verdict out
 judged 0 beadswim-compare run.json prediction.json --cycle 1 --quantity velocity
 holds '.rows[0].run == 6.9e-5'
 judged 0 beadswim-compare run.json prediction.json --cycle mean:2 --quantity velocity
@@ -86,6 +91,45 @@ judged 0 beadswim-compare two.json two.json
 holds '[.rows[].swimmer] | unique == [0, 1]'
 refuses 'run.json: the run record contains no swimmer with the id 1; the ids in the record are 0$' \
   beadswim-compare run.json two.json --allow-difference swimmers
+
+# --- one swimmer
+judged 0 beadswim-compare two.json two.json --swimmer 1
+holds '[.rows[].swimmer] | unique == [1]'
+judged 0 beadswim-compare two.json prediction.json --swimmer 0
+refuses 'two.json: the run record contains no swimmer with the id 7; the ids in the record are 0, 1$' \
+  beadswim-compare two.json two.json --swimmer 7
+refuses 'the ids in the record are 0, 1$' beadswim-compare two.json prediction.json --swimmer 7
+refuses '--swimmer: "-1"' beadswim-compare two.json two.json --swimmer -1
+refuses '^beadswim-compare: prediction.json: the predictions are for swimmer 0, and not valid for swimmer 1; predict with beadswim-theory --swimmer 1$' \
+  beadswim-compare two.json prediction.json --swimmer 1
+
+# --- the table of swimmers and cycles
+table() { # FILE COLUMNS...   these columns of a table, by the names in its first line
+  python3 -c 'import csv, sys
+for row in csv.DictReader(open(sys.argv[1])): print(*[row[name] for name in sys.argv[2:]])' "$@"
+}
+accepts beadswim-compare two.json --table table.csv
+out_empty
+check 'a row per swimmer and cycle, with the numbers of the record' cmp <(table table.csv swimmer cycle 'arm_amplitudes_2 (lattice units)') \
+  <(jq -r '.swimmers[] | .id as $id | .cycles[] | "\($id) \(.index) \(.arm_amplitudes[1])"' two.json)
+check 'velocity' test "$(table table.csv 'velocity (lattice units)' 'speed_along_axis (lattice units)' | sed -n 3p)" = '7.25e-05 7.25e-05'
+check 'nothing where nothing is known' test -z "$(table table.csv type dipole | tr -d ' \n')"
+accepts beadswim-compare two.json --swimmer 1 --table -
+check 'the rows of one swimmer' cmp out <(grep -E '^(swimmer|1),' table.csv)
+{ jq -c '.study = {kind: "a, b"}' two.json; echo '{"schema": "beadswim/failure/1", "program": "beadswim-run", "reason": "why", "exit": 3}'
+  jq -c '.study = {kind: "c", period: 2}' run.json; } >runs.jsonl
+run beadswim-compare runs.jsonl --table -
+has_status 0
+err_has '^beadswim-compare: 1 of 3 documents have no result, and are left out$'
+check 'runs and their studies' test "$(table out run kind period swimmer cycle | sed -n '6,7p' | tr '\n' ';')" = 'runs.jsonl line 1 a, b  1 3;runs.jsonl line 3 c 2 0 1;'
+refuses '--table: the file name "table.txt" does not end in .csv' beadswim-compare two.json --table table.txt
+refuses '--cycle: the flag cannot be combined with --table; remove one of the two flags' \
+  beadswim-compare two.json --table table.csv --cycle 2
+refuses 'prediction.json:/schema: the document is a prediction' beadswim-compare prediction.json --table -
+refuses 'the ids in the record are 0, 1$' beadswim-compare two.json --table - --swimmer 2
+cp two.json two.csv
+refuses 'two.csv: the output would replace the input file' beadswim-compare two.csv --table two.csv
+
 edited run.json 'del(.cost)' >free.json
 judged 0 beadswim-compare free.json prediction.json
 holds '.cost == null'
@@ -154,11 +198,16 @@ refuses 'list.json: the document has no key "schema"' beadswim-compare run.json 
 edited run.json '.units = {length: {name: "um", si_factor: 1e-6}, time: {name: "s", si_factor: 1}, mass: {name: "pg", si_factor: 1e-15}}' >si.json
 judged 0 beadswim-compare si.json si.json
 refuses 'run.json: the reference has other units of length, time or mass than si.json' beadswim-compare si.json run.json
+refuses 'run.json: the units of this file differ from the units of si.json' beadswim-compare si.json run.json --table -
+accepts beadswim-compare si.json --table -
+out_has '"velocity \(um/s\)",.*"power \(pg um²/s³\)","efficiency",'
 edited run.json '.status = "failed"' >failed.json
+refuses 'failed.json: the file is the record of a failed run' beadswim-compare failed.json --table -
 refuses 'failed.json: the file is the record of a failed run' beadswim-compare failed.json prediction.json
 edited run.json '.status = "stopped-time"' >stopped.json
 judged 0 beadswim-compare stopped.json prediction.json
 edited run.json '.swimmers[0].cycles = []' >short.json
+refuses 'short.json: the run record contains no complete cycle' beadswim-compare short.json --table -
 refuses 'short.json: the run record contains no complete cycle' beadswim-compare short.json prediction.json
 edited run.json '.swimmers[0].cycles[0].mean_flwo = 1' >typo.json
 refuses 'typo.json:/swimmers/0/cycles/0/mean_flwo: unknown key; did you mean "mean_flow"' \

@@ -32,7 +32,7 @@ refuses_nonsense() { # COMMAND... -- INPUT...
   check "flags of ${command[*]} are listed" test -n "$(flags_of with-value "${command[@]}")"
   for flag in $(flags_of with-value "${command[@]}"); do
     refused "${command[@]}" "$@" "$flag" ''
-    [[ $flag =~ ^--(output|restart|with|stroke-from|reference|trace)$ ]] && continue
+    [[ $flag =~ ^--(output|restart|with|flow-points|stroke-from|reference|trace)$ ]] && continue
     for value in abc 1e999 ,; do refused "${command[@]}" "$@" "$flag=$value"; done
   done
   for flag in $(flags_of without "${command[@]}"); do
@@ -52,7 +52,7 @@ refuses_nonsense beadswim-optimise -- one.json --free phase=0:1 --maximise veloc
 refuses_nonsense beadswim-compare -- run.json theory.json
 for kind in stroke velocity-against-period separation; do refuses_nonsense beadswim-plot $kind -- run.json theory.json; done
 refuses_nonsense beadswim-plot speed-against-error -- run.json --reference theory.json
-refuses_nonsense beadswim-plot trajectories -- one.h5md
+for kind in trajectories flow; do refuses_nonsense beadswim-plot $kind -- one.h5md; done
 for kind in swarm swimmer; do refuses_nonsense beadswim-plot $kind -- one.json; done
 refuses_nonsense beadswim-plot mobility-products -- "$BEADSWIM_SOURCE/docs/results/mobility-products.json"
 refuses_nonsense beadswim-view -- one.h5md -o page.html

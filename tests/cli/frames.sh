@@ -74,4 +74,42 @@ run small 1 layout.json -o part.h5md --model rpy --cycles 0.5 --checkpoint-every
 refuses '^beadswim-run: --steps-per-cycle: the value 100 differs from the default, ' \
   beadswim-run --restart part.h5md --steps-per-cycle 100 --cycles 3
 
+# --- with forces: without inertia, force of the fluid, drive and springs of a bead sum to zero; with inertia, those of a swimmer as
+# heavy as the fluid sum to its acceleration; a restart continues the frames
+beadswim-layout swimmer --preset paper-single --unbounded --amplitude 0.3 --period 2000 >open.json
+beadswim-layout swimmer --preset paper-single --box 64,48,48 --amplitude 0.3 --period 400 >box.json
+forces_balance() { # FILE STIFFNESS PERIOD TOLERANCE MASS
+  for name in position force drive; do
+    h5dump -y -m %.9g -d /particles/beads/$name/value -o $name -O "$1.h5md" >/dev/null
+  done
+  h5dump -y -m %.9g -d /particles/beads/velocity/value -o velocity -O "$1.h5md" >/dev/null
+  check "the forces of $1 do not balance" python3 - "$2" "$3" "$4" "$5" <<'EOF'
+import sys
+stiffness, period, tolerance, mass = map(float, sys.argv[1:])
+x, force, drive, v = ([float(word) for word in open(name).read().replace(",", " ").split()][::3]
+                      for name in ("position", "force", "drive", "velocity"))
+frames = len(x) // 3
+size = max(map(abs, drive))
+assert size > 0.2, size
+worst = 0
+for n in range(45, frames - 1):
+    left, right = (stiffness * (x[3 * n + b + 1] - x[3 * n + b] - 20) for b in (0, 1))
+    springs = left, right - left, -right
+    for b in range(3):
+        acceleration = (v[3 * n + 3 + b] - v[3 * n - 3 + b]) / (2 * period / 40)
+        worst = max(worst, abs(force[3 * n + b] + drive[3 * n + b] + springs[b] - mass * acceleration))
+assert worst < tolerance * size, worst / size
+EOF
+}
+run small 1 open.json -o rpy.h5md --model rpy --frames-with forces --cycles 3
+has_status 0
+forces_balance rpy 0.0347 2000 1e-4 0
+run small 1 open.json -o near.h5md --model rpy+near --frames-with forces --cycles 3
+forces_balance near 0.0347 2000 1e-4 0
+run small 1 box.json -o unsteady.h5md --model unsteady --frames-with forces --cycles 3
+forces_balance unsteady 0.0347 400 0.01 268.08
+run small 1 open.json -o part.h5md --model rpy --frames-with forces --cycles 1.4 --checkpoint-every 0.7
+run small 1 --restart part.h5md --cycles 3
+check "the frames with forces are those of an unbroken run" h5diff rpy.h5md part.h5md
+
 finish

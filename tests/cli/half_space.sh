@@ -25,7 +25,12 @@ run beadswim-compare over-run.json over-theory.json --tolerance 0.01
 has_status 0
 run beadswim-theory over.json
 has_status 0
-check 'other methods ignore the wall' holds '[.predictions[].method] == ["oseen-perturbation", "rpy-perturbation", "oseen-ode", "rpy-ode"]' out
+check 'other methods ignore the wall' holds '[.predictions[].method] == ["oseen-perturbation", "rpy-perturbation", "multipole-perturbation", "oseen-ode", "rpy-ode"]' out
+run beadswim-run over.json -o moments.h5md --model multipole --multipole-order 2 --progress none --cycles 4
+has_status 0
+mv out moments-run.json
+check 'with force moments, a run does not move as predicted' holds '[.[0].swimmers[0].cycles[-1], (.[1].predictions[] | select(.method == "multipole-ode"))]
+  | (.[0].velocity[0] / .[1].velocity_vector[0] - 1 | fabs) < 1e-3' <(beadswim-theory over.json --method multipole-ode | jq -s . moments-run.json -)
 
 # --- `check` states the height and, with a flow, the strain per period
 run beadswim-layout check --json over.json
@@ -82,7 +87,7 @@ check 'a fast uniform flow changes the motion' holds '[., input] | map(.swimmers
 run beadswim-run carried.json -o carried.h5md "${settings[@]}" --cycles 1
 check 'a uniform flow changes more than the velocity' holds '[., input] | map(.swimmers[0].cycles[0].velocity) | (.[1][0] - .[0][0] - 1e-4 | fabs) < 1e-9 and (.[1][1] - 2e-4 | fabs) < 1e-9' free-run.json out
 
-refuses 'multipole-ode: .*methods for this swimmer are oseen-perturbation, rpy-perturbation, oseen-ode, rpy-ode$' beadswim-theory over.json --method multipole-ode
+refuses 'unsteady-multipole: .*methods for this swimmer are oseen-perturbation, rpy-perturbation, multipole-perturbation, oseen-ode, rpy-ode, multipole-ode$' beadswim-theory over.json --method unsteady-multipole
 
 # --- a run warns of beads that come to the wall later
 beadswim-layout shape sphere --half-space z --position 0,0,30 --force 2 --direction 0,0,-1 --amplitude 0 >sink.json

@@ -13,7 +13,7 @@ has_status 0
 cp out new.jsonl
 jq -c 'select(.group == ("speed", "springs"))' "$results/hard-cases.jsonl" >known.jsonl
 check "the records have these groups" test -s known.jsonl
-check "outcomes are those on record" cmp -s <(outcomes known.jsonl | sort) <(outcomes new.jsonl | sort)
+check "outcomes are those on record" diff <(outcomes known.jsonl | sort) <(outcomes new.jsonl | sort)
 # How far velocity and stroke of two records are apart, case by case, relative.
 jq -s 'map([.group + .case, (.cycle | if . then [.speed_along_axis] + .arm_amplitudes else [] end)]) | group_by(.[0])' \
   known.jsonl new.jsonl >pairs.json
@@ -42,7 +42,7 @@ has_status 0
 cp out new.jsonl
 jq -c 'select(.group == ("springs", "close beads", "collisions", "walls", "flow"))' "$results/hard-shapes.jsonl" >known.jsonl
 check "the records have these groups" test "$(wc -l <known.jsonl)" -gt 30
-check "outcomes are those on record" cmp -s <(outcomes known.jsonl | sort) <(outcomes new.jsonl | sort)
+check "outcomes are those on record" diff <(outcomes known.jsonl | sort) <(outcomes new.jsonl | sort)
 jq -s 'map([.group + .case + .flags, (.cycle.velocity // [] | map(. * . * 1e20) | add)]) | group_by(.[0])' known.jsonl new.jsonl >pairs.json
 check "velocities are those on record, unless they are roundoff" holds 'map(length == 2 and
   ([.[][1]] | .[0] == .[1] or (.[0] - .[1] | fabs) <= 1e-3 * .[1] or .[1] < 1e-12)) | all' pairs.json

@@ -16,7 +16,7 @@ done
 accepts beadswim-layout check --help
 
 # --- wrong command lines
-refuses 'a command is needed: swimmer, swarm, shape, defect, reduce, vary, check' beadswim-layout
+refuses 'a command is needed: swimmer, swarm, shape, from-run, defect, combine, reduce, units, vary, check' beadswim-layout
 refuses 'swimer: unknown command; did you mean "swimmer"' beadswim-layout swimer
 refuses 'swimer: unknown command' beadswim-layout swimer --help
 for box in '80 48 48' '80, 48, 48' '80,48 48'; do
@@ -105,6 +105,19 @@ done
 check 'the box of a swarm is converted, too' holds '.domain.lengths == [20, 20, 20]' water.json
 accepts beadswim-layout swimmer --preset paper-single "${water[@]}" --period 100 --box 50,20,20 --boundary periodic
 check 'other flags are in the new units' holds '.types.a.driving.period == 100 and .domain.lengths == [50, 20, 20]' out
+
+# --- several layouts in one scene
+beadswim-layout swimmer --preset paper-single --unbounded --frame body >one.json
+accepts beadswim-layout combine one.json one.json --at 0,0,30 --rotate '180deg z'
+check 'the second swimmer is not turned and displaced' holds '[.swimmers[].id] == [0, 1] and .swimmers[1].position == [0, 0, 30] and
+  (.swimmers[1].axis[0] + 1 | fabs) < 1e-15 and (.types | keys) == ["a"] and .schema == "beadswim/layout/1"' out
+same_bytes 'beadswim-layout combine one.json one.json --at 0,0,0 --at 0,0,30' 'cat one.json | beadswim-layout combine - one.json --at 0,0,0 --at=0,0,30'
+refuses 'the layout made by the layouts together is invalid: .* overlaps bead .*; --at moves swimmers' beadswim-layout combine one.json one.json
+refuses 'paper.json: the domain is box|paper.json: the domain is 1200' beadswim-layout combine one.json paper.json --at 0,0,9
+refuses '--at: the flag is given 3 times for 2 layouts' beadswim-layout combine one.json one.json --at 0,0,1 --at 0,0,2 --at 0,0,3
+for turn in 90deg '90deg w' '90 0,0,0' 'x z' '1 0,1'; do
+  refuses "--rotate: \"$turn\": .* write \"ANGLE AXIS\"" beadswim-layout combine one.json --rotate "$turn"
+done
 
 # --- phases in degrees; a phase of more than one turn is probably one
 accepts beadswim-layout swimmer --preset paper-single --phase=-90deg

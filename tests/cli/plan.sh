@@ -166,7 +166,7 @@ run beadswim-run large.json --plan --refine off
 check "lattices that do not fit are refused" holds '[.runs[] | select(.resolution.cells_per_radius == 8) | .refused] | all(test("GB per rank"))' out
 
 pasted '.domain.boundary == ["periodic", "periodic", "periodic"] and (.domain.lengths | .[0] < 200 and .[1] < 100)'
-jq 'del(.domain, .swimmers[].position, .provenance)' large.json >large.kept
+jq 'del(.domain, .swimmers[].position, .provenance, .made_by)' large.json >large.kept
 check "all but box and position is kept" cmp -s large.kept <(jq 'del(.domain, .swimmers[].position, .provenance)' smaller.json)
 cp large.json "it's large.json"
 run beadswim-run "it's large.json" --plan --model rpy
@@ -301,6 +301,8 @@ jq -rs -f "$results/plan-check.jq" "$results/plan-check.jsonl" >table.md
 check "the page has the records' table" cmp -s table.md <(sed -n '/^<!-- from plan-check.jsonl -->$/,/^<!-- end -->$/p' "$page" | sed '1d;$d')
 jq -rs -f "$results/simplified-scenes.jq" "$results/simplified-scenes.jsonl" >limits.txt
 check "the page has how many errors are within limits" cmp -s limits.txt <(sed -n '/^<!-- from simplified-scenes.jsonl -->$/,/^<!-- end -->$/p' "$page" | sed '1d;$d')
+check "the mesh of a fluid with memory has the bytes on record" test "$(jq -rs -f "$results/plan-costs.jq" "$results/plan-costs.jsonl" |
+  sed -n 's/^mesh.*: \([0-9]*\) bytes.*/\1/p' | tr '\n' ' ')" = "62 114 132 158 "
 check "the bead boundaries have the factors on record" test "$(jq -rs -L "$results" --slurpfile resolution "$results/resolution.jsonl" -f "$results/scheme-factors.jq" "$results/scheme-factors.jsonl" |
   sed -E 's/(.*): cells (.*), wander (.*) \(.*/\1 \2 \3/' | tr '\n' ' ')" = "cli 1.8 2.7 mr 1 1 psm 1.8 0.4 staircase 4.7 7.7 "
 check "no choice was wrong" test -z "$(grep -c 'wrong:' table.md | grep -v '^0$')"

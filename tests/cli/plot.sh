@@ -9,9 +9,9 @@ has_numbers() { # NUMBER FIGURE...   how many points the figure of these argumen
 }
 
 # --- what it says of itself
-kinds='stroke velocity-against-period against separation speed-against-error trajectories swarm swimmer mobility-products'
+kinds='stroke velocity-against-period against separation speed-against-error trajectories swarm flow swimmer mobility-products'
 accepts beadswim-plot --help
-check 'a kind is not listed with one line' test "$(sed -n '/^Subcommands:/,/^$/p' out | grep -vc '^$')" -eq 19
+check 'a kind is not listed with one line' test "$(sed -n '/^Subcommands:/,/^$/p' out | grep -vc '^$')" -eq 21
 has_flags() { # KIND FLAG...   these alone, beside those of all kinds
   accepts beadswim-plot "$1" --help
   check "$1 has other flags" test "$(grep -oE '^  (-[a-z],)?--[a-z-]+' out | xargs)" = "$(echo -h,--help -o,--output "${@:2}")"
@@ -19,11 +19,12 @@ has_flags() { # KIND FLAG...   these alone, beside those of all kinds
 for kind in $kinds; do out_has "^  $kind$"; done
 has_flags stroke --data --method --cycle --against --bonds
 has_flags velocity-against-period --data --method --cycle --relative-to --axes
-has_flags against --data --x --y --colour --group-by --log --method --cycle
+has_flags against --data --x --y --colour --x-label --group-by --log --method --cycle
 has_flags separation --data --method --cycle --relative-to --axes
 has_flags speed-against-error --data --method --cycle --reference --quantity
 has_flags trajectories --data --swimmers --beads --along --against
-has_flags swarm --data --frame --colours --block-swimmers --repeat --mark --distances
+has_flags swarm --data --frame --colours --colour --block-swimmers --repeat --mark --distances
+has_flags flow --data --plane --quantity --style
 has_flags swimmer --data --swimmers
 has_flags mobility-products --data
 accepts beadswim-plot --help-all
@@ -477,6 +478,43 @@ refuses 'layout.json: the document has the schema "beadswim/layout/1"; a run rec
 : >empty.json
 refuses 'empty.json: the input is empty' beadswim-plot stroke empty.json
 refuses 'standard input can be read only once' beadswim-plot stroke - -
+
+# --- series of swimmers and types, and names of what varies
+jq -c '.swimmers += [(.swimmers[0] | .id = 1 | .cycles[].velocity[0] *= 2), (.swimmers[0] | .id = 2)] | .units = {length: {name: "um", si_factor: 1e-6}, time: {name: "s", si_factor: 1}, mass: {name: "pg", si_factor: 1e-15}}
+  | .study = {"/types/a/driving/period": (4800, 2400)}' run.json >three.jsonl
+drawn_against() { beadswim-plot against --y speed_along_axis "$@" -o x.svg --data - | sed 1d; } # ARGUMENTS...   the lines of the numbers
+check 'a series per swimmer' test "$(drawn_against three.jsonl --x /types/a/driving/period --group-by swimmer | cut -d, -f1-8 | sort | head -2)" = \
+  '"speed along the axis","um/s","period","s","lbm, swimmer = 0",2400,7.25e-05
+"speed along the axis","um/s","period","s","lbm, swimmer = 0",4800,7.25e-05'
+check 'six points' test "$(drawn_against three.jsonl --x /types/a/driving/period --group-by swimmer | wc -l)" -eq 6
+check 'the axis has a name' bash -c "grep -q '>period (s)<' x.svg && ! grep -q '/types' x.svg"
+refuses 'three.jsonl line 1: the document does not state the types' beadswim-plot against three.jsonl --x /types/a/driving/period --group-by type
+jq -c --slurpfile layout drawn.json '.scene = ($layout[0] | {fluid, domain, types, swimmers}) | .scene.types.b = (.scene.types | to_entries[0].value)
+  | .scene.swimmers = ([0, 1, 2] as $ids | [$ids[] as $id | $layout[0].swimmers[0] | .id = $id | .position[1] = 10 + 15 * $id]) | .scene.swimmers[2].type = "b"' three.jsonl >typed.jsonl
+type=$(jq -r '.swimmers[0].type' drawn.json)
+check 'a mean per type' test "$(drawn_against typed.jsonl --x /types/a/driving/period --group-by type | grep ,4800, | cut -d, -f5-8 | tr '\n' ' ')" = \
+  "\"lbm, type = $type\",4800,0.00010875 \"lbm, type = b\",4800,7.25e-05 "
+beadswim-plot against typed.jsonl --x /types/a/driving/period --group-by type >out
+notes_have 'Marks are means over the swimmers of a type in a run'
+accepts beadswim-plot against three.jsonl --x /types/a/driving/period --x-label 'period T [s]' -o x.svg --data x.csv
+check 'a label' bash -c "grep -q '>period T \[s\]<' x.svg && grep -q '\"period T \[s\]\",\"\",' x.csv"
+while IFS=: read -r pointer name; do
+  sed "s,/types/a/driving/period,$pointer," three.jsonl >named.jsonl
+  check "$pointer is not $name" test "$(drawn_against named.jsonl --x "$pointer" | head -1 | cut -d'"' -f6,8)" = "$name"
+done <<'END'
+/types/a/beads/1/radius:radius, bead 2"um
+/types/a/springs/0/stiffness:stiffness, spring 1"pg/s²
+/types/a/angles/1/stiffness:stiffness, angle 2"pg um²/s²
+/types/a/driving/amplitude/1:amplitude B"pg um/s²
+/types/a/driving/bonds/0/rest_length/0/amplitude:amplitude, bond 1"um
+/swimmers/3/position/2:position z, /swimmers/3"um
+/swimmers/3/rotate/z:rotation about z, /swimmers/3"rad
+/flow/velocity_gradient/0/2:velocity gradient xz"1/s
+/fluid/kinematic_viscosity:kinematic viscosity"um²/s
+/types/a/beads/0/density:density, bead 1"pg/um³
+/types/a/net_force:/types/a/net_force"
+stiffness:stiffness"pg/s²
+END
 
 # What products of a mobility cost: the page's figure.
 same_bytes "beadswim-plot mobility-products $BEADSWIM_SOURCE/docs/results/mobility-products.json -o -" \

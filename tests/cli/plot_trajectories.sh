@@ -116,6 +116,27 @@ beadswim-layout defect mixture --with other.json --count 3 eight.json | simulate
 accepts beadswim-plot swarm mixture.h5md --colours types
 check 'there are not two keys' test "$(grep -cE '<circle' out)" -eq 26
 
+# Heads, and colours by results in the last cycle.
+accepts beadswim-plot swarm eight.h5md --frame 0
+drawn 8 '<polygon class='
+notes_have 'Triangles are heads\.'
+beadswim-compare cell.h5md --table table.csv
+accepts beadswim-plot swarm cell.h5md --repeat 1,2,1 --colour velocity --data values.csv -o values.svg
+check 'the value of each bead' test "$(sed 1d values.csv | cut -d, -f8 | sort | uniq -c | awk '{print $1, $2}')" = \
+  "6 $(sed 1d table.csv | cut -d, -f4)"
+check 'a header with the unit' grep -qx 'swimmer,bead,x,y,z,radius,unit,"velocity (lattice units)"' values.csv
+check 'a colour bar' grep -q '>velocity (' values.svg
+refuses '--colour: cell.h5md states no velocity of a cycle that has ended at this frame; add the run record as a second file, or draw a later frame' \
+  beadswim-plot swarm cell.h5md --colour velocity --frame 39
+refuses '--colour: cell.h5md states no power .* add the run record' beadswim-plot swarm cell.h5md --colour power
+accepts beadswim-plot swarm cell.h5md cell.record --colour power --data values.csv
+check 'the power of the record' test "$(sed -n 2p values.csv | cut -d, -f8)" = "$(jq '.swimmers[0].cycles[-1].power' cell.record)"
+jq '.driving.period = 1' cell.record >other-cell.json
+refuses 'other-cell.json: this is not the record of the run whose trajectory is drawn' beadswim-plot swarm cell.h5md other-cell.json --colour power
+refuses '--colour: arm_phases has a value per arm' beadswim-plot swarm cell.h5md --colour arm_phases
+refuses '--colour: .* is a layout, which has no results' beadswim-plot swarm eight.json --colour velocity
+refuses '--colours: the flag cannot be combined with --colour;' beadswim-plot swarm cell.h5md --colour velocity --colours types
+
 # Names of swimmers, wherever they are by then; a trajectory under another name.
 accepts beadswim-plot swarm eight.h5md --mark one=1,seven=7
 out_has '>one<'

@@ -347,9 +347,9 @@ for kind in dumbbell triangle prescribed-three-bead purcell-chain flagellum sphe
   run beadswim-theory $kind.json
   has_status 0
   cp out $kind.theory
-  check "$kind: theory has four predictions and leaves none out" holds '.left_out == [] and
-    (.predictions | map(.method) == ["oseen-perturbation", "rpy-perturbation", "oseen-ode", "rpy-ode"] and
-      all(.usable and .uncertainty == null and (.velocity_vector | length) == 3 and (.angular_velocity | length) == 3))' out
+  check "$kind: theory has five predictions and leaves none out" holds '.left_out == [] and
+    (.predictions | map(.method) == ["oseen-perturbation", "rpy-perturbation", "multipole-perturbation", "oseen-ode", "rpy-ode"] and
+      all(.usable and (.velocity_vector | length) == 3 and (.angular_velocity | length) == 3))' out
 done
 # Arm amplitudes: relative to the largest one or, where symmetry makes them zero in the periodic motion, to 1 % of a bond.
 moves_as_predicted='.predictions[] | select(.method == "rpy-ode") | . as {velocity: $v, angular_velocity: $w, arm_amplitudes: $d, power: $p}
@@ -367,9 +367,15 @@ check "rpy-ode decides" holds '.decided_by == "rpy-ode"' out
 run beadswim-compare triangle.run triangle.theory --quantity angular_velocity --tolerance 0.001
 has_status 0
 check "angular velocities are compared" holds '[.rows[].quantity] | unique == ["angular_velocity"]' out
-refuses 'inertia-corrected: this method treats three beads on a line with the driving forces of the paper only, in fluid at rest without half-space; methods for this swimmer are oseen-perturbation, rpy-perturbation, oseen-ode, rpy-ode$' \
+refuses 'inertia-corrected: this method cannot treat this swimmer: it treats three beads on a line with the driving forces of the paper only, in fluid at rest without half-space; methods for this swimmer are oseen-perturbation, rpy-perturbation, multipole-perturbation, oseen-ode, rpy-ode, multipole-ode$' \
   beadswim-theory triangle.json --method inertia-corrected
 refuses '--stroke-from triangle.run: swimmer 0 has 3 bonds, but the methods need the stroke of two arms' beadswim-theory triangle.json --stroke-from triangle.run
+# --- in a box a swimmer moves as in a run with the same force moments
+beadswim-layout shape triangle --phase=90deg --amplitude 1 --box 60,60,48 --boundary periodic --position 30,30,24 >boxed.json
+beadswim-run boxed.json -o boxed.h5md --model multipole --multipole-order 2 --cycles 3 --progress none >boxed.run 2>/dev/null
+beadswim-theory boxed.json --method multipole-box-perturbation >boxed.theory
+check "in a box the triangle moves as predicted" holds --slurpfile run boxed.run '.predictions[0] | .angular_velocity[2] as $w
+  | $run[0].swimmers[0].cycles[-1].angular_velocity[2] / $w - 1 | fabs < 1e-3' boxed.theory
 beadswim-layout swimmer --preset paper-single --unbounded --axis 1,1,0 >slanted.json
 run beadswim-theory slanted.json --method rpy-perturbation
 has_status 0
@@ -382,6 +388,35 @@ refuses 'the layout made by the flags is invalid: .*quaternion' beadswim-layout 
 refuses '/types/purcell-chain/driving/angles/0: the rest angle' beadswim-layout shape purcell-chain --amplitude 70deg
 refuses '--beads' beadswim-layout shape flagellum --beads 65
 refuses '--sperm-number: the flag cannot be combined with --angular-stiffness' beadswim-layout shape flagellum --sperm-number 3 --angular-stiffness 1
+
+# --- hinges that pass straight: Purcell's stroke, and a breaststroke, which is reciprocal and does not swim
+beadswim-layout shape chain --orientation 0.5,0.1,0.7,0.5 | jq '.types.chain = {
+  beads: [range(9)] | map({radius: 4, density: 1, at: [10 * . - 40, 0, 0]}),
+  bonds: [range(1; 9)] | map({beads: [., . + 1], stiffness: 100}),
+  angles: [range(1; 8)] | map({beads: [., . + 1, . + 2], stiffness: 20000} + (if . == 2 or . == 5 then {normal: [0, 0, 1]} else {} end)),
+  driving: {period: 4800, angles: [{angle: 2, rest: [{amplitude: 1}]}, {angle: 5, rest: [{amplitude: -1, phase: 1.5707963}]}]}}' >hinges.json
+accepts beadswim-layout check hinges.json
+run beadswim-run hinges.json -o hinges.h5md --model rpy --cycles 2 --checkpoint-every 1.5 --progress none --no-provenance
+has_status 0
+cp out hinges.run
+run beadswim-theory hinges.json --method rpy-ode
+has_status 0
+check "hinges that pass straight swim as predicted" holds --slurpfile run hinges.run \
+  '.predictions[0] | (.velocity / $run[0].swimmers[0].cycles[-1].speed_along_axis - 1 | fabs < 1e-3) and (.velocity * 4800 | fabs > 1)' out
+run beadswim-run --restart hinges.h5md.ckpt.0 -o again.h5md --cycles 2 --progress none --no-provenance
+has_status 0
+check "a restart gives the same state" holds --slurpfile one hinges.run '.state_sha256 == $one[0].state_sha256' out
+jq '.swimmers[0].type = "breaststroke" | .types = {breaststroke: {
+  beads: [[20, 0], [-20, 0], [0, 10], [0, -10], [0, 30], [0, -30]] | map({radius: 4, density: 1, at: [.[0], .[1], 0]}),
+  bonds: [[1, 3], [1, 4], [2, 3], [2, 4], [3, 4], [3, 5], [4, 6]] | map({beads: ., stiffness: 20}),
+  angles: [[4, 3, 5], [3, 4, 6]] | map({beads: ., stiffness: 2000, normal: [0, 0, 2]}),
+  driving: {period: 4800, angles: [{angle: 1, rest: [{amplitude: 0.8}]}, {angle: 2, rest: [{amplitude: -0.8}]}]}}}' hinges.json >breaststroke.json
+accepts beadswim-layout check breaststroke.json
+run beadswim-run breaststroke.json -o breaststroke.h5md --model rpy --cycles 2 --progress none
+has_status 0
+check "a breaststroke does not swim" holds '.swimmers[0].cycles[-1] | (.velocity | map(. * 4800 | fabs < 0.01) | all) and (.angular_velocity | map(. * 4800 | fabs < 1e-6) | all)' out
+jq 'del(.types[].angles[].normal)' breaststroke.json >unsigned.json
+refuses 'place the beads of this angle off a line, or give the angle a "normal"' beadswim-layout check unsigned.json
 
 # --- plans of shapes: estimates for three similar beads, marked as not validated
 run beadswim-run triangle.json --plan --tolerance 0.9

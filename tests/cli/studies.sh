@@ -30,6 +30,48 @@ check 'optional keys are made' holds -s 'map(.swimmers[0].driving | [.period, .p
 beadswim-layout shape purcell-chain --unbounded >chain.json
 accepts beadswim-layout vary chain.json --over /types/purcell-chain/beads/0/radius=1,1.5
 beadswim-layout vary base.json --over period=1000,2000 >two.jsonl
+
+# A flag of the command that made a layout makes it again; made_by describes the result.
+beadswim-layout swarm --preset paper-uniform --block-swimmers 1,2,1 >made.json
+same_bytes "beadswim-layout vary made.json --over core-gap=40 | jq 'del(.study, .provenance)'" \
+  "beadswim-layout swarm --preset paper-uniform --block-swimmers 1,2,1 --core-gap 40 | jq 'del(.provenance)'"
+beadswim-layout shape flagellum --beads 8 --frame body --box 90,90,60 >made.json
+check 'made_by has typed parameters' holds '.made_by == {command: "shape flagellum", parameters: {beads: 8, frame: "body", box: [90, 90, 60]}}' made.json
+same_bytes "beadswim-layout vary made.json --over beads=6 --over frame=lab | jq 'del(.study, .provenance)'" \
+  "beadswim-layout shape flagellum --beads 6 --frame lab --box 90,90,60 | jq 'del(.provenance)'"
+for filter in 'vary - --over /fluid/density=2' 'defect jitter --sigma 0.1' 'reduce' 'combine - made.json --at 45,45,30' 'units --to um,s,mg --cell 1um --viscosity 1 --density 1'; do
+  check "made_by lies after $filter" test "$(beadswim-layout $filter <made.json 2>err | jq 'has("made_by")')" = false
+done
+refuses 'made.json: --beads: "2": the value must be a whole number from 3|--beads: "2": the value must be a whole number from 3' beadswim-layout vary made.json --over beads=2
+refuses '"core-gap"' beadswim-layout vary made.json --over core-gap=2
+# A layout that was changed since is varied as it is, not made again.
+beadswim-layout swimmer --preset paper-single | jq '.types.a.beads[1].radius = 3' >edited.json
+check 'a changed layout is not made anew' holds '.types.a.beads[1].radius == 3 and (has("made_by") | not)' \
+  <(beadswim-layout vary edited.json --over period=1234)
+refuses '"box"' beadswim-layout vary edited.json --over box=90
+jq '.made_by.command = "swarn"' made.json >bad-made.json
+refuses '' beadswim-layout vary bad-made.json --over beads=6
+
+# Opposite values, kept sums and products, rotations
+accepts beadswim-layout vary chain.json --over /types/purcell-chain/angles/0/stiffness,/types/purcell-chain/angles/1/stiffness=1,1.5
+check 'equal values' holds -s 'map(.types["purcell-chain"].angles | [.[0].stiffness, .[1].stiffness]) == [[1, 1], [1.5, 1.5]]' out
+beadswim-layout shape dumbbell --unbounded | jq '.types.dumbbell.driving.forces =
+  [{bead: 1, direction: [1, 0, 0], constant: 0.1}, {bead: 2, direction: [1, 0, 0], constant: -0.1}]' >pushed.json
+f=/types/dumbbell/driving/forces
+accepts beadswim-layout vary pushed.json --over $f/0/constant,-$f/1/constant=0.1,0.3
+check 'opposite values' holds -s 'map(.types.dumbbell.driving.forces | [.[0].constant, .[1].constant]) == [[0.1, -0.1], [0.3, -0.3]]' out
+refuses 'do not sum to zero' beadswim-layout vary pushed.json --over $f/0/constant=0.3
+s=/types/a/springs
+accepts beadswim-layout vary base.json --over $s/0/rest_length=16,24 --keep "$s/0/rest_length+$s/1/rest_length"
+check 'a kept sum' holds -s 'map(.types.a.springs | [.[0].rest_length, .[1].rest_length]) == [[16, 24], [24, 16]] and .[0].study["/types/a/springs/1/rest_length"] == 24' out
+beadswim-layout swimmer --preset paper-single --unbounded --period 4800 --stiffness 0.05 >kept.json
+accepts beadswim-layout vary kept.json --over period=2400,9600 --keep 'period*stiffness'
+check 'a kept product' holds -s 'map(.types.a | [.driving.period, .springs[0].stiffness]) == [[2400, 0.1], [9600, 0.025]]' out
+refuses 'none of "period" and "stiffness" is varied' beadswim-layout vary kept.json --over phase=1 --keep 'period*stiffness'
+refuses 'does not state one number for "stiffness"' beadswim-layout vary base.json --over period=1 --keep 'stiffness*period'
+accepts beadswim-layout vary base.json --over /swimmers/0/rotate/z=0,90deg
+check 'a turn about z' holds -s '.[1].swimmers[0].axis | (.[0] | fabs) < 1e-15 and .[1] == 1' out
+refuses '"/swimmers/1/rotate/z" turns no swimmer' beadswim-layout vary base.json --over /swimmers/1/rotate/z=1
 beadswim-layout vary base.json --over /flow/velocity_gradient/0/2=0,1e-6 >sheared.jsonl
 accepts beadswim-layout vary sheared.jsonl --over /flow/velocity_gradient/1/2=0,1e-6
 check 'a flow that is left out is zero' holds -s 'map([.flow.velocity_gradient // [[0, 0, 0], [0, 0, 0]] | .[0][2], .[1][2]]) == [[0, 0], [0, 1e-6], [1e-6, 0], [1e-6, 1e-6]]' out
@@ -69,7 +111,8 @@ refuses 'named twice' beadswim-layout vary base.json --over period=1,2 --over pe
 refuses '"period" has 2 values and "phase" has 3' beadswim-layout vary base.json --over period=1,2 --over phase=1,2,3 --together
 refuses 'belongs to a study of "period" already' beadswim-layout vary two.jsonl --over period=3
 refuses 'base.json with radius=40:/types/a/springs/0/rest_length' beadswim-layout vary base.json --over radius=4,40
-refuses 'is not a swimmer of three beads on a line' beadswim-layout vary chain.json --over radius=1
+jq 'del(.made_by)' chain.json >unknown-chain.json
+refuses 'is not a swimmer of three beads on a line' beadswim-layout vary unknown-chain.json --over radius=1
 refuses 'unknown value "bod"; did you mean "body"' beadswim-layout vary base.json --over frame=lab,bod
 refuses 'more than 1000000 layouts' beadswim-layout vary base.json --over period=1:2:1000 --over radius=1:2:1000 --over phase=0,1
 
@@ -157,6 +200,18 @@ for model in rpy oseen; do beadswim-run many.json --model $model --cycles 1 -o $
 run beadswim-compare rpy.json rpy.h5md --tolerance 1e-9
 has_status 0
 check 'all swimmers' holds '[.rows[].swimmer] | unique | length == 96' out
+accepts beadswim-compare rpy.json --table rpy.csv
+accepts beadswim-compare rpy.h5md --swimmer 95 --table -
+check 'a table of all swimmers, of the trajectory' test "$(wc -l <rpy.csv)" -eq 97
+check 'the same of one' cmp out <(grep -E '^(swimmer|95),' rpy.csv)
+run beadswim-compare rpy.json rpy.h5md --swimmer 95
+has_status 0
+check 'one swimmer' holds '[.rows[].swimmer] | unique == [95]' out
+refuses 'the ids in the record are from 0 to 95' beadswim-compare rpy.json rpy.h5md --swimmer 96
+beadswim-theory many.json --method rpy-ode >theory-of-many.json
+run beadswim-compare rpy.json theory-of-many.json --swimmer 95
+has_status 1 # a swarm swims otherwise than one swimmer in open space
+check 'swimmers with equal parameters have equal predictions' holds '[.rows[] | [.swimmer, .method]] | unique == [[95, "rpy-ode"]]' out
 run beadswim-compare rpy.json oseen.json
 has_status 1
 err_has '^verdict: FAIL'

@@ -64,7 +64,7 @@ paper --amplitude 0,0.2 >one_force.json
 run beadswim-theory one_force.json
 has_status 0
 valid prediction out
-err_has 'methods left out: rpy-force-printed; reason: equation \(4.23\) of Pickl et al. 2017 requires equal driving amplitudes A = B' 
+err_has 'methods left out: rpy-force-printed; reason: the driving amplitudes 0, 0.2 differ, but the closed form requires equal driving amplitudes' 
 
 # --- orientation: the lab field drives a swimmer along -x backwards, and none across it
 accepts beadswim-theory --method rpy-perturbation paper.json

@@ -123,6 +123,19 @@ TEST(MultipoleMobility, TendsToStressletOfTheSphereBetween) {
   EXPECT_LT(std::abs(rest(32)), 2e-3);
 }
 
+// Spheres 2 and 3, in the strains of the force on sphere 1, cause the axial stresslets 5/2 a^3 F/r^2. The
+// rest falls two powers faster.
+TEST(MultipoleMobility, HasStressletsOfSpheresInTheStrainOfAForce) {
+  const auto rest = [](double unit) {
+    const double r_12 = 5 * unit, r_13 = 12 * unit;
+    const MultipoleMobility m = multipole_mobility(Numbers{1, 2, 3}, Numbers{0, r_12, r_13}, eta);
+    return m.stresslet[0] / (2.5 * (8 / (r_12 * r_12) + 27 / (r_13 * r_13))) - 1;
+  };
+  constexpr double next_order = 0.1;  // of the exponent 2: error of the asymptotic rate at these distances
+  EXPECT_NEAR(std::log2(rest(64) / rest(128)), 2, next_order);
+  EXPECT_LT(std::abs(rest(32)), 2e-4);
+}
+
 TEST(MultipoleMobility, SlopesAreDerivativesByEachPosition) {
   constexpr double truncation = 2e-8;  // central difference of step 1e-4, relative to the largest slope
   constexpr double step = 1e-4;
@@ -132,10 +145,12 @@ TEST(MultipoleMobility, SlopesAreDerivativesByEachPosition) {
     Numbers ahead = positions, behind = positions;
     ahead[k] += step;
     behind[k] -= step;
-    const Eigen::MatrixXd difference =
-        (multipole_mobility(radii, ahead, eta).value - multipole_mobility(radii, behind, eta).value) /
-        (2 * step);
+    const MultipoleMobility after = multipole_mobility(radii, ahead, eta);
+    const MultipoleMobility before = multipole_mobility(radii, behind, eta);
+    const Eigen::MatrixXd difference = (after.value - before.value) / (2 * step);
     EXPECT_LT((m.slope[k] - difference).cwiseAbs().maxCoeff() / largest(m.slope), truncation) << k;
+    const Eigen::VectorXd change = (after.stresslet - before.stresslet) / (2 * step);
+    EXPECT_LT((m.stresslet_slope.col(k) - change).norm() / m.stresslet_slope.norm(), truncation) << k;
   }
 }
 

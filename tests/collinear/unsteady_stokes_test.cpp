@@ -18,7 +18,7 @@ constexpr double pi = std::numbers::pi;
 
 /// Returns the flow along x at (x, rho) of a single sphere at the origin, per unit of induced force.
 Complex flow_of_sphere(Complex alpha, double radius, double x, double rho) {
-  const UnsteadyLine point = unsteady_stokeslet(eta, alpha, x, rho * rho);
+  const UnsteadyFlow point = unsteady_stokeslet(eta, alpha, x, rho * rho);
   return point.total.value + sphere_factor(alpha * radius).excess * point.helmholtz.value;
 }
 
@@ -41,7 +41,7 @@ TEST(UnsteadyStokes, KeepsItsDigitsAtLowFrequency) {
     const double roundoff = 1e-14 + 2e-18 / (z * z);  // of the code; of the 64-bit reference
     const Complex alpha = alpha_of_modulus(z / r);
     const Complex reference = closed_form_on_line(alpha, r);
-    const UnsteadyLine flow = unsteady_stokeslet(eta, alpha, r, 0);
+    const UnsteadyFlow flow = unsteady_stokeslet(eta, alpha, r, 0);
     EXPECT_NEAR(std::abs(flow.total.value / reference - 1.0), 0, roundoff) << "alpha r = " << z;
     const double parts_cancel = 2e-15 / (z * z);  // they are 2/z^2 of the total, with some roundoffs each
     EXPECT_NEAR(std::abs(flow.helmholtz.value + flow.harmonic.value - flow.total.value), 0,
@@ -58,9 +58,9 @@ TEST(UnsteadyStokes, SlopesAreDerivatives) {
     const auto here = unsteady_stokeslet(eta, alpha, x, rho2);
     const auto after = unsteady_stokeslet(eta, alpha, x + h, rho2);
     const auto before = unsteady_stokeslet(eta, alpha, x - h, rho2);
-    for (const auto part : {&UnsteadyLine::helmholtz, &UnsteadyLine::harmonic, &UnsteadyLine::total}) {
+    for (const auto part : {&UnsteadyFlow::helmholtz, &UnsteadyFlow::harmonic, &UnsteadyFlow::total}) {
       const Complex slope = ((after.*part).value - (before.*part).value) / (2 * h);
-      EXPECT_NEAR(std::abs((here.*part).slope / slope - 1.0), 0, truncation);
+      EXPECT_NEAR(std::abs((here.*part).by_receiver / slope - 1.0), 0, truncation);
     }
   }
 }

@@ -95,7 +95,7 @@ TEST(RunRecord, SurvivesTheWayThroughText) {
   EXPECT_EQ(through_text(record).resolution->radius_on_lattice, 4.0209);
   EXPECT_EQ(through_text(record).resolution->angular_softening, 0.25);
   EXPECT_EQ(through_text(record).scene->fluid.kinematic_viscosity, 1.0 / 3);
-  EXPECT_TRUE(same_units(through_text(record).scene->units, record.units));
+  EXPECT_EQ(through_text(record).scene->units, record.units);
 }
 
 TEST(RunRecord, SurvivesWithoutWhatAModelMayLack) {
@@ -220,11 +220,10 @@ TEST(VerdictDocument, CostIsTheSumOrUnknown) {
 TEST(Units, AreTheSameOnlyInNameAndSize) {
   const Units si{false, {"um", 1e-6}, {"s", 1}, {"pg", 1e-15}};
   Units other = si;
-  EXPECT_TRUE(same_units(si, other));
-  EXPECT_TRUE(same_units({}, {}));
-  EXPECT_FALSE(same_units(si, {}));
+  EXPECT_EQ(si, other);
+  EXPECT_NE(si, Units());
   other.time.si_factor = 2;
-  EXPECT_FALSE(same_units(si, other));
+  EXPECT_NE(si, other);
 }
 
 TEST(MotionScaleOfARun, IsThatOfItsFastestBead) {

@@ -28,6 +28,7 @@ RunRecord some_run() {
   cycle.arm_means = {20, 20};
   cycle.power = 1;
   cycle.efficiency = 0.5;
+  cycle.dipole = ForceDipole{.axial = -7, .tensor = {}};
   CycleStatistics last = cycle;
   last.index = 2;
   last.arm_amplitudes = {4, 6};
@@ -50,12 +51,16 @@ TEST(ResultsOfARun, AreThoseOfItsCycle) {
   EXPECT_DOUBLE_EQ(numbers(results, ResultQuantity::velocity)[0], 0.6 * 5 + 0.8 * 2);
   EXPECT_EQ(results.at(ResultQuantity::velocity).vector, Vec3(5, 2, 1));
   EXPECT_EQ(numbers(results, ResultQuantity::velocity_z), std::vector{1.0});
+  EXPECT_DOUBLE_EQ(numbers(results, ResultQuantity::speed_along_axis)[0], 0.6 * 5 + 0.8 * 2);
+  EXPECT_FALSE(results.at(ResultQuantity::speed_along_axis).vector) << "would be compared as a vector";
+  EXPECT_DOUBLE_EQ(numbers(results, ResultQuantity::speed_across_axis)[0], std::hypot(0.8 * 5 - 0.6 * 2, 1));
   EXPECT_DOUBLE_EQ(numbers(results, ResultQuantity::angular_velocity)[0], 5);
   EXPECT_EQ(numbers(results, ResultQuantity::angular_velocity_y), std::vector{3.0});
   EXPECT_EQ(numbers(results, ResultQuantity::arm_amplitudes), (std::vector{4.0, 6.0}));
   EXPECT_EQ(numbers(results, ResultQuantity::arm_phases), (std::vector{2.0, 0.5}));
   EXPECT_DOUBLE_EQ(numbers(results, ResultQuantity::sin_phase_shift)[0], std::sin(1.5));
   EXPECT_EQ(numbers(results, ResultQuantity::gap), std::vector{20.0 - 6 - 8});
+  EXPECT_EQ(numbers(results, ResultQuantity::dipole), std::vector{-7.0});
 }
 
 TEST(ResultsOfARun, AreMeansOfTheChosenCycles) {
@@ -90,7 +95,8 @@ TEST(ResultsOfARun, StateTheExpectedError) {
   };
   const auto stated = RunUncertainty::with_expected_error;
   EXPECT_EQ(uncertainties(ResultQuantity::velocity, stated), std::vector{0.03});
-  run.expected_error = ExpectedErrorRecord{.velocity = 0.18, .arm_amplitudes = {0.05, 0.06}};
+  EXPECT_EQ(uncertainties(ResultQuantity::speed_along_axis, stated), std::vector{0.03});
+  run.expected_error = ErrorEstimate{.velocity = 0.18, .arm_amplitudes = {0.05, 0.06}};
   EXPECT_DOUBLE_EQ(uncertainties(ResultQuantity::velocity, stated)[0], std::hypot(0.18, 0.03));
   EXPECT_EQ(uncertainties(ResultQuantity::arm_amplitudes, stated), (std::vector{0.06, 0.06}));
   EXPECT_EQ(uncertainties(ResultQuantity::arm_amplitudes, RunUncertainty::of_cycle),
@@ -117,6 +123,26 @@ TEST(ResultsOfAPrediction, StateItsUncertainties) {
   EXPECT_FALSE(results_of(prediction, nullptr, 0).contains(ResultQuantity::gap));
   EXPECT_FALSE(results.contains(ResultQuantity::velocity_x));
   EXPECT_FALSE(results.contains(ResultQuantity::power));
+}
+
+// The speed across the axis of a swimmer that moves along it is zero to roundoff, not to its square root. If
+// the drives turn the swimmer, its axis is not that of the scene.
+TEST(ResultsOfAPrediction, HaveSpeedsAlongAndAcrossTheAxis) {
+  Layout scene = paper_single();
+  const Vec3 axis = Vec3(1, 2, 3).normalized();
+  scene.swimmers[0].axis = axis;
+  Prediction prediction;
+  const auto across = [&](const Vec3& velocity, double along) {
+    prediction.velocity_vector = velocity;
+    prediction.velocity = along;
+    const Results results = results_of(prediction, &scene, 0);
+    EXPECT_EQ(numbers(results, ResultQuantity::speed_along_axis), std::vector{along});
+    return numbers(results, ResultQuantity::speed_across_axis)[0];
+  };
+  EXPECT_LT(across(-0.7 * axis, -0.7), 1e-15);
+  EXPECT_NEAR(across(-0.7 * axis + 0.2 * axis.unitOrthogonal(), -0.7), 0.2, 1e-15);
+  prediction.settings.emplace_back("turn", 0.1);
+  EXPECT_DOUBLE_EQ(across({0, 3, 5}, 3), 5);
 }
 
 TEST(UnitsOfResults, AreThoseOfTheDocument) {

@@ -23,6 +23,11 @@ TEST(XmlText, IsWhatXmlReadersGiveBack) {
     EXPECT_THAT(xml_text(several), testing::MatchesRegex("(" + replaced + ")+")) << several;
 }
 
+TEST(XmlText, IsReadBack) {
+  for (const std::string text : {"a&b<c>\"d'\t\n", "&amp;lt;", "&", "λ"})
+    EXPECT_EQ(plain_text(xml_text(text)), text);
+}
+
 TEST(NearestName, FindsTheLikelyMeaning) {
   const std::vector<std::string> names{"radius", "density", "damping", "stiffness"};
   EXPECT_EQ(nearest_name("raduis", names), "radius");   // neighbours swapped

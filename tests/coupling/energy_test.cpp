@@ -50,7 +50,7 @@ double dissipation(const Populations& populations, std::ptrdiff_t cell, double r
 
 /// Calls visit(cell index) for all cells that no bead covers.
 void for_each_fluid_cell(const CoupledSystem& system, auto&& visit) {
-  for_each_cell(system.populations(), [&](const Index3& p, std::ptrdiff_t cell) {
+  for_each_cell(system.levels().finest().populations, [&](const Index3& p, std::ptrdiff_t cell) {
     if (!system.coverage().is_covered(p[0], p[1], p[2])) visit(cell);
   });
 }
@@ -69,7 +69,7 @@ Stored stored(const CoupledSystem& system) {
     energy.beads += type.bonds[k].stiffness / 2 * extension * extension;
   }
   for_each_fluid_cell(system, [&](std::ptrdiff_t cell) {
-    energy.fluid += cell_moments(system.populations(), cell).momentum.squaredNorm() / 2;
+    energy.fluid += cell_moments(system.levels().finest().populations, cell).momentum.squaredNorm() / 2;
   });
   return energy;
 }
@@ -97,7 +97,8 @@ Energies step(CoupledSystem& system) {
     energy.dashpots += type.bonds[k].damping * rate * rate;
   }
   for_each_fluid_cell(system, [&](std::ptrdiff_t cell) {
-    energy.dissipation += dissipation(system.populations(), cell, system.scene().relaxation_time);
+    energy.dissipation +=
+        dissipation(system.levels().finest().populations, cell, system.scene().relaxation_time);
   });
   return energy;
 }

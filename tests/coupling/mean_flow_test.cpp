@@ -39,7 +39,8 @@ TEST_P(Slit, HasTheVelocityAndTheMeanFlowOfPoiseuille) {
   double sum = 0;
   for (int z = 0; z < 8; ++z) {
     const double u = 4 * speed * (z + 0.5) * (cells_across - z - 0.5) / (cells_across * cells_across);
-    EXPECT_NEAR(system.levels().velocity(0, system.populations().cell(1, 2, z))[0], u, error) << z;
+    EXPECT_NEAR(system.levels().velocity(0, system.levels().finest().populations.cell(1, 2, z))[0], u, error)
+        << z;
     sum += u;
   }
   const SceneTotals totals = system.totals();

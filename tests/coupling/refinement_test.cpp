@@ -165,8 +165,8 @@ TEST(Refinement, DoesNotForgetAFault) {
   const Communicator self(MPI_COMM_SELF);
   CoupledScene scene = towed_sphere(0.6);
   scene.swimmers[0].position[0] = 32.7;
-  BeadExtent beads = bead_extent(scene);
-  beads.high[0] = 30;  // so that the finest level ends at 38, at a gap of 3.1
+  Eigen::AlignedBox3d beads = bead_extent(scene);
+  beads.max()[0] = 30;  // so that the finest level ends at 38, at a gap of 3.1
   scene.levels = levels_around(scene, beads, 2).value();
   FollowingRun run(scene, self);
   run.advance(14);

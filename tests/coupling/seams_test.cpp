@@ -113,7 +113,7 @@ TEST(Seams, GiveTheBitsOfOneRank) {
 TEST(Seams, AreAcrossXToo) {
   const Communicator world(MPI_COMM_WORLD);
   const CoupledSystem system(cut_across_x(), world);
-  EXPECT_EQ(system.decomposition().grid()[0] > 1, world.size() > 1);
+  EXPECT_EQ(system.levels().finest().decomposition.grid()[0] > 1, world.size() > 1);
 }
 
 // What makes the test above worth its name: swimmers do change owners.
@@ -145,7 +145,7 @@ class Conserving : public testing::TestWithParam<std::tuple<std::tuple<Precision
     const double roundoff = std::get<1>(std::get<0>(GetParam()));
     const SceneTotals totals = system.totals();
     EXPECT_LT(totals.momentum.norm(), roundoff);
-    EXPECT_LT(std::abs(totals.mass_excess), roundoff / system.decomposition().cells().prod());
+    EXPECT_LT(std::abs(totals.mass_excess), roundoff / system.levels().finest().decomposition.cells().prod());
   }
 };
 

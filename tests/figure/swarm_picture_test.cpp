@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <regex>
 
@@ -201,6 +202,59 @@ TEST(SwarmPicture, SpheresAndSwimmersShareAPicture) {
     return svg.substr(svg.find("<style>"), svg.find("</style>") - svg.find("<style>"));
   };
   EXPECT_EQ(style(mixture), style(draw(picture_of({swimmer})).svg));
+}
+
+/// Returns the coordinates of the three corners of each head, tip first.
+std::vector<std::array<double, 6>> heads(const std::string& svg) {
+  static const std::regex triangle(
+      R"re(<polygon class="b\d+" points="([\d.]+),([\d.]+) ([\d.]+),([\d.]+) ([\d.]+),([\d.]+)")re");
+  std::vector<std::array<double, 6>> found;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), triangle), end; at != end; ++at) {
+    std::array<double, 6>& head = found.emplace_back();
+    for (int i = 0; i < 6; ++i) head[i] = std::stod((*at)[i + 1]);
+  }
+  return found;
+}
+
+// A head at the wrong end would turn every swimmer round.
+TEST(SwarmPicture, HeadsPointAlongTheAxis) {
+  for (const double direction : {-1.0, 1.0}) {
+    PicturedSwimmer swimmer = swimmer_at({60, 40, 30}, 2);
+    swimmer.axis = direction * Vec3::UnitX();
+    const std::string svg = draw(picture_of({swimmer})).svg;
+    const auto found = heads(svg);
+    ASSERT_EQ(found.size(), 1U);
+    const auto [tip_x, tip_y, left_x, left_y, right_x, right_y] = found[0];
+    const std::vector<Disc> beads = discs(svg);
+    const double base = (left_x + right_x) / 2;
+    EXPECT_GT(direction * (tip_x - base), 0);
+    constexpr double foreshortening = 0.8;  // at most, of the x axis
+    for (const Disc& bead : beads) EXPECT_GE(direction * (base - bead.x), foreshortening * bead.radius);
+  }
+  EXPECT_TRUE(heads(draw(picture_of({swimmer_at({60, 40, 30}, 2)})).svg).empty()) << "it has no axis";
+}
+
+// Colours run from the lowest to the highest value; a swimmer without one is grey.
+TEST(SwarmPicture, ColoursShowValues) {
+  std::vector<PicturedSwimmer> swimmers;
+  for (const double y : {10, 30, 50, 70}) swimmers.push_back(swimmer_at({60, y, 30}, 0));
+  swimmers[0].value = 3e-5;
+  swimmers[1].value = -1e-5;
+  swimmers[2].value = 1e-5;
+  SwarmPicture picture = picture_of(swimmers);
+  picture.value_label = {"velocity", "um/s"};
+  const Drawing drawing = draw(picture);
+  std::vector<std::string> fills;
+  static const std::regex bead("<circle class=\"b(\\d+)\"");
+  for (std::sregex_iterator at(drawing.svg.begin(), drawing.svg.end(), bead), end; at != end; ++at)
+    fills.push_back((*at)[1]);
+  EXPECT_THAT(fills, testing::UnorderedElementsAre("31", "31", "31", "0", "0", "0", "16", "16", "16", "32",
+                                                   "32", "32"));
+  EXPECT_THAT(drawing.svg, HasSubstr(">velocity (10⁻⁵ um/s)<"));
+  EXPECT_THAT(drawing.csv, HasSubstr("radius,unit,\"velocity (um/s)\"\n0,1,40,10,30,4,\"\",3e-05\n"));
+  EXPECT_THAT(drawing.csv, HasSubstr("\n0,3,80,70,30,4,\"\",\n"));
+  for (PicturedSwimmer& swimmer : picture.swimmers) swimmer.value.reset();
+  EXPECT_NO_THROW(draw(picture));
 }
 
 TEST(SwarmPicture, RefusesAnEmptySwarm) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "accepted.hpp"
+#include "beadswim/coupling/refinement.hpp"
 #include "beadswim/run/checkpoints.hpp"
 #include "checkpoint_edits.hpp"
 #include "memory_file.hpp"
@@ -34,8 +35,8 @@ const Folder& folder() {
 }
 
 bool is_small(const ModelPlan& plan) {
-  return plan.updates_per_step.value_or(0) <= most_cells && plan.swimmers.size() <= most_swimmers &&
-         plan.steps_per_cycle < 100000;
+  const double updates = plan.lattice() ? updates_per_step(plan.lattice()->scene.all_levels()) : 0;
+  return updates <= most_cells && plan.swimmers.size() <= most_swimmers && plan.steps_per_cycle < 100000;
 }
 
 std::string layout_file(const std::string& box) {
@@ -115,7 +116,7 @@ void go_on_from(const std::string& path) {
   task.trajectory = trajectory_of(path);
   const auto plan = plan_for(task, one_rank());
   if (!is_small(*plan)) return;
-  const auto model = plan->make(task.trajectory, 0);
+  const auto model = plan->make();
   TrajectoryWriter trajectory(task.trajectory, header_of(task.document, *plan), one_rank(), &checkpoint);
   Recorder recorder(*plan, task.document.layout, &trajectory, one_rank());
   Checkpoints checkpoints(task, *plan, one_rank());

@@ -39,7 +39,7 @@ bytes="-max_len=30000 -detect_leaks=0 -malloc_limit_mb=1000000 -fork=1 -ignore_c
 declare -A options=(
   [layout]=$documents [prediction]=$documents [run_record]=$documents [swimming_file]=$documents
   [stream]=$documents [study]=$documents
-  [lattice_speed]="-max_len=4096 -detect_leaks=0" [trajectory]=$edits
+  [lattice_speed]="-max_len=4096 -detect_leaks=0" [flow_file]="-max_len=4096 -detect_leaks=0" [trajectory]=$edits
   [restart]="$edits -fork=1"  # Open MPI keeps some memory of each file that was open
   [trajectory_bytes]=$bytes [checkpoint_bytes]=$bytes)
 

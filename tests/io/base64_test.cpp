@@ -19,6 +19,13 @@ TEST(Base64, OfPiecesOfMultiplesOfThreeBytesJoins) {
   EXPECT_EQ(base64(text).find('\n'), std::string::npos);
 }
 
+TEST(Base64, IsDecoded) {
+  EXPECT_EQ(decoded_base64("Zm9vYmFy"), "foobar");
+  EXPECT_EQ(decoded_base64("Zm8="), std::string("fo\0", 3));
+  for (const char* wrong : {"Zm9", "Zm9v Zm9", "Zm*v", "\nm9v"})
+    EXPECT_EQ(decoded_base64(wrong), std::nullopt) << wrong;
+}
+
 TEST(Base64, OfNumbersIsThatOfTheirBytes) {
   EXPECT_EQ(base64(std::vector<float>{1, -2}), "AACAPwAAAMA=");
 }

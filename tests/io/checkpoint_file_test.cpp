@@ -6,36 +6,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../shared_folder.hpp"
 #include "beadswim/core/error.hpp"
 
 namespace beadswim {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that all ranks share. The destructor removes it.
-class SharedFolder {
- public:
-  explicit SharedFolder(const Communicator& communicator) : communicator_(communicator) {
-    std::string path = (fs::temp_directory_path() / "beadswim-checkpoint-XXXXXX").string();
-    if (communicator_.is_root() && mkdtemp(path.data()) == nullptr) path.clear();
-    MPI_Bcast(path.data(), static_cast<int>(path.size()), MPI_CHAR, 0, communicator_.get());
-    path_ = path;
-  }
-  ~SharedFolder() {
-    MPI_Barrier(communicator_.get());
-    std::error_code ignored;
-    if (communicator_.is_root()) fs::remove_all(path_, ignored);
-  }
-  SharedFolder(const SharedFolder&) = delete;
-  SharedFolder& operator=(const SharedFolder&) = delete;
-
-  std::string file(const std::string& name) const { return path_ / name; }
-
- private:
-  const Communicator& communicator_;
-  fs::path path_;
-};
 
 class CheckpointFile : public testing::Test {
  protected:

@@ -283,12 +283,10 @@ struct ModeFlow {
   static constexpr int points = 24;
   static constexpr double step = 0.1, density = 1.7, viscosity = 0.3;
   MeshTransform transform;
-  MemoryField field{{.fluid = {.density = density, .step = step, .spacing = 1, .has_reynolds_stress = true},
-                     .viscosity = viscosity,
-                     .lengths = Vec3::Constant(2 * pi),
-                     .points = {points, points, points},
-                     .exponent = {},
-                     .classes = {{.degree = 0, .radius = 1}}},
+  MemoryField field{{.density = density, .step = step, .spacing = 1, .has_reynolds_stress = true},
+                    {.viscosity = viscosity, .radii = {1}, .lengths = Vec3::Constant(2 * pi)},
+                    {points, points, points},
+                    {},
                     transform};
 
   explicit ModeFlow(const Communicator& world) : transform({points, points, points}, world) {}

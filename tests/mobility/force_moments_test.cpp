@@ -360,5 +360,14 @@ TEST(MultipoleProduct, TendsToTheDragOfACubicArray) {
   }
 }
 
+// A product whose residual is not a number did not converge.
+TEST_P(MomentOrder, ProductsOfInvalidForcesDoNotConverge) {
+  const Communicator world(MPI_COMM_WORLD);
+  Mobility mobility(scene_of(GetParam(), {1, 1}, 1e-4), std::vector<Vec3>{{0, 0, 0}, {3, 0, 0}}, world);
+  std::vector<Vec3> velocities(2);
+  EXPECT_TRUE(mobility.apply(std::vector<Vec3>{{1, 0, 0}, {0, 2, 0}}, velocities).is_converged);
+  EXPECT_FALSE(mobility.apply(std::vector<Vec3>{{std::nan(""), 0, 0}, {0, 2, 0}}, velocities).is_converged);
+}
+
 }  // namespace
 }  // namespace beadswim

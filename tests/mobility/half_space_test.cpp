@@ -249,14 +249,17 @@ TEST(HalfSpace, ASphereApproachesTheWallAsByBrennersExactSolution) {
 TEST(HalfSpace, NearFieldsMakeTheApproachExact) {
   const double a = 0.8, stokes = 1 / (6 * pi * viscosity * a);
   for (const int axis : {0, 2}) {
-    for (const double H : {1.0002, 1.01, 1.1, 1.5, 3.0, 20.0, 100.0}) {
+    for (const double H : {1.0002, 1.01, 1.1, 1.5, 3.0, 4.7, 20.0, 100.0}) {
       Spheres sphere{.radii = {a}, .places = {Vec3(0.3, -2, 1)}};
       sphere.places[0][axis] = H * a;
       Eigen::MatrixXd found = mobility(over_wall(MobilityModel::rpy_near, sphere, 0, axis), sphere);
       EXPECT_NEAR(found(axis, axis) / stokes * drag_towards_wall(H), 1, 1e-7) << axis << H;
-      const Eigen::MatrixXd along = mobility(over_wall(MobilityModel::rpy, sphere, 0, axis), sphere);
+      if (H > 4 && H < 6) continue;  // where the stresslet fades
+      const bool has_stresslet = H < 5;
+      const MobilityModel model = has_stresslet ? MobilityModel::multipole : MobilityModel::rpy;
+      const Eigen::MatrixXd along = mobility(over_wall(model, sphere, 1, axis), sphere);
       found(axis, axis) = along(axis, axis);
-      EXPECT_LT((found - along).norm(), 1e-15 * stokes) << axis << H;
+      EXPECT_LT((found - along).norm(), (has_stresslet ? 1e-12 : 1e-15) * stokes) << axis << H;
     }
   }
 }

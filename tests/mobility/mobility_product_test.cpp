@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <span>
 
 #include "beadswim/core/error.hpp"
 #include "direct_ewald.hpp"
@@ -198,6 +199,29 @@ TEST(Mobility, RefusesWhatItCannotSum) {
   scene.tolerance = 1e-4;
   scene.radii[3] = 0;
   EXPECT_THROW(product(scene, spheres), InputError);
+}
+
+// Arrays that are too short or too long would be read or written beyond their ends, or in part.
+TEST(Mobility, RefusesArraysThatDoNotFitTheSpheres) {
+  const direct::Spheres spheres = random_spheres(5, {20, 20, 20}, 1, true);
+  const MobilityScene scene{MobilityModel::rpy, eta, Box{{20, 20, 20}}, spheres.radii};
+  const Communicator world(MPI_COMM_WORLD);
+  const std::span<const Vec3> places(spheres.places), forces(spheres.forces);
+  direct::Vectors velocities(6);
+  const std::span<Vec3> all(velocities);
+  EXPECT_THROW(Mobility(scene, places.first(4), world), InputError);
+  Mobility mobility(scene, places, world);
+  EXPECT_THROW(mobility.set_positions(places.first(4)), InputError);
+  EXPECT_THROW(mobility.apply(forces.first(4), all.first(5)), InputError);
+  EXPECT_THROW(mobility.apply(forces, all.first(4)), InputError);
+  EXPECT_THROW(mobility.apply(forces, all), InputError);
+  EXPECT_NO_THROW(mobility.apply(forces, all.first(5)));
+  for (const int first : {-1, 3}) {
+    MobilityScene with_line = scene;
+    with_line.model = MobilityModel::rpy_near;
+    with_line.lines = {first};
+    EXPECT_THROW(Mobility(with_line, places, world), InputError) << first;
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <optional>
 #include <random>
@@ -31,6 +32,21 @@ inline std::vector<int> lines_of_three(const Numbers& radii) {
 
 inline MobilityScene near_scene(const Numbers& radii, const std::optional<Box>& box = {}) {
   return {MobilityModel::rpy_near, eta, box, radii, 1e-8, lines_of_three(radii)};
+}
+
+/// Returns all columns of the mobility matrix.
+inline Eigen::MatrixXd matrix_of(const MobilityScene& scene, const Vectors& places) {
+  const Communicator world(MPI_COMM_WORLD);
+  Mobility mobility(scene, places, world);
+  const auto n = static_cast<Eigen::Index>(3 * places.size());
+  Eigen::MatrixXd matrix(n, n);
+  for (Eigen::Index c = 0; c < n; ++c) {
+    Vectors forces(places.size(), Vec3::Zero()), column(places.size());
+    forces[c / 3][c % 3] = 1;
+    mobility.apply(forces, column);
+    matrix.col(c) = Eigen::Map<const Eigen::VectorXd>(column[0].data(), n);
+  }
+  return matrix;
 }
 
 inline double largest_difference(const Vectors& a, const Vectors& b) {

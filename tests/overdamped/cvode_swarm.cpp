@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/rotne_prager_tensor.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 
 namespace beadswim {

@@ -375,5 +375,25 @@ TEST(HalfSpaceRuns, ABeadThatIsPressedOnTheWallStopsAboveIt) {
   }
 }
 
+// The first two steps, which are not steps of the backward difference formula, count too.
+TEST(HalfSpaceRuns, TheSmallestGapIsThatAfterEachStepTowardsTheWall) {
+  SwimmerType type = beads_at({Vec3::Zero()}, 2);
+  type.driving.forces = {{.bead = 0, .direction = -Vec3::UnitZ(), .constant = 0.3}};
+  OverdampedScene scene = lone(type, 200);
+  scene.half_space = HalfSpace{2};
+  scene.swimmers[0].position = Vec3::Constant(2.18);
+  const Communicator world(MPI_COMM_WORLD);
+  OverdampedSystem system(scene, world);
+  double before = system.state().smallest_gap;
+  EXPECT_NEAR(before, 0.18, 1e-12);
+  for (int n = 1; n <= 4; ++n) {
+    system.step();
+    const double gap = system.positions()[0].z() - 2, moved = before - gap;
+    EXPECT_GT(moved, 0);
+    EXPECT_NEAR(system.state().smallest_gap, gap, 0.05 * moved) << "step " << n;
+    before = gap;
+  }
+}
+
 }  // namespace
 }  // namespace beadswim

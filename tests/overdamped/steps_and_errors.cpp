@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/core/communicator.hpp"
 #include "cvode_swarm.hpp"
 #include "scenes.hpp"
 
@@ -166,7 +167,6 @@ int main(int argc, char** argv) {
   app.add_option("--product-tolerance", options.product_tolerance, "of mobility products")
       ->check(CLI::Range(1e-12, 1e-2));
   CLI11_PARSE(app, argc, argv);
-  MPI_Init(&argc, &argv);
+  const beadswim::MpiSession mpi(&argc, &argv);
   beadswim::measure_all(options);
-  MPI_Finalize();
 }

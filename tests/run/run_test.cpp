@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "../shared_folder.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/temporary_file.hpp"
 #include "beadswim/run/checkpoints.hpp"
@@ -77,9 +78,9 @@ TEST(Run, StopsOnAllRanksWhereOneRankAsks) {
   long progress = 0;
   const int last = world.size() - 1;
   const RunSinks sinks{.progress = [&](long steps) { progress = steps; },
-                       .stop = [&, asked = 0]() mutable -> std::optional<StopRequest> {
+                       .stop = [&, asked = 0]() mutable -> std::optional<EarlyStop> {
                          if (world.rank() != last || ++asked < 3) return std::nullopt;
-                         return StopRequest{.status = RunStatus::stopped_time, .reason = "it is late"};
+                         return EarlyStop{.status = RunStatus::stopped_time, .reason = "it is late"};
                        }};
   const RunResult result = run_of(lattice_task(100), sinks, world);
   EXPECT_EQ(result.record.status, RunStatus::stopped_time);
@@ -91,7 +92,8 @@ TEST(Run, StopsOnAllRanksWhereOneRankAsks) {
 /// Catches a checkpoint that stores other settings than those of the run, or a state that is not the same.
 TEST(Run, ContinuesFromItsCheckpointWithTheSameBits) {
   const Communicator world(MPI_COMM_WORLD);
-  const std::string path = std::filesystem::temp_directory_path() / "beadswim-run-test.h5md";
+  const SharedFolder folder(world);
+  const std::string path = folder.file("run.h5md");
   RunTask first = lattice_task(2);
   first.trajectory = path;
   first.settings.checkpoint_every = 1;
@@ -103,11 +105,6 @@ TEST(Run, ContinuesFromItsCheckpointWithTheSameBits) {
   const RunResult rest = run_of(std::move(second), {}, world);
   EXPECT_EQ(rest.record.state_sha256, whole.record.state_sha256);
   EXPECT_EQ(rest.record.swimmers.size(), whole.record.swimmers.size());
-  MPI_Barrier(world.get());
-  if (!world.is_root()) return;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path()))
-    if (entry.path().filename().string().starts_with("beadswim-run-test"))
-      std::filesystem::remove(entry.path());
 }
 
 /// Catches a checkpoint of another version that ends a stream: it is refused, and a stream begins anew.

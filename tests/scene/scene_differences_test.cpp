@@ -28,8 +28,7 @@ std::vector<SceneDifference> after(const std::function<void(Layout&)>& edit) {
 /// Returns the names of the differences that the edit of the reference causes, joined by commas.
 std::string names_after(const std::function<void(Layout&)>& edit) {
   std::string names;
-  for (const SceneDifference& difference : after(edit))
-    names += (names.empty() ? "" : ",") + difference.property;
+  for (const SceneDifference& difference : after(edit)) names += (names.empty() ? "" : ",") + difference.name;
   return names;
 }
 
@@ -108,7 +107,7 @@ TEST(SceneDifferences, FlowAndPlaceInItMatter) {
   move_all(across, Vec3(0, 0, 1));
   EXPECT_TRUE(scene_differences(one, along).empty());
   ASSERT_EQ(scene_differences(one, across).size(), 1U);
-  EXPECT_EQ(scene_differences(one, across)[0].property, "placing");
+  EXPECT_EQ(scene_differences(one, across)[0].name, "placing");
 }
 
 TEST(SceneDifferences, KnowShapesAndWhatIsDriven) {
@@ -127,7 +126,7 @@ TEST(SceneDifferences, KnowShapesAndWhatIsDriven) {
     edit(other.types["t"]);
     std::string text;
     for (const SceneDifference& each : scene_differences(triangle, other))
-      text += each.property + ": " + each.reference + ";";
+      text += each.name + ": " + each.reference + ";";
     return text;
   };
   EXPECT_EQ(difference([](SwimmerType&) {}), "");
@@ -156,7 +155,7 @@ TEST(SceneDifferences, StateTheOrientationOfASwimmerTurnedAboutItsAxis) {
     layout.swimmers[1].turn = Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitX()));
   });
   ASSERT_EQ(differences.size(), 1U);
-  EXPECT_EQ(differences[0].property, "placing");
+  EXPECT_EQ(differences[0].name, "placing");
   EXPECT_EQ(differences[0].run, "swimmer 3 with orientation (1, 0, 0, 0)");
   EXPECT_EQ(differences[0].reference, "swimmer 3 with orientation (0, 1, 0, 0)");
 }

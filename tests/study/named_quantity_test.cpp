@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/field_leaves.hpp"
 #include "beadswim/scene/gallery.hpp"
 #include "beadswim/scene/presets.hpp"
+#include "beadswim/scene/scene_differences.hpp"
 
 namespace beadswim {
 namespace {

@@ -1,4 +1,4 @@
-#include "beadswim/theory/box_reynolds_stress.hpp"
+#include "beadswim/theory/reynolds_stress.hpp"
 
 #include <gtest/gtest.h>
 

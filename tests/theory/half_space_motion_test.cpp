@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/collinear/oseen.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
@@ -73,11 +74,12 @@ double mean_dipole(const ShapedSwimmer& alone) {
   BeadVectors start = relaxed_shape(alone);
   constexpr int steps = 256, cycles = 40;
   ShapeCycle cycle;
+  const ShapeMobility mobility = pair_mobility(alone, rotne_prager_tensor);
   for (int n = 0; n < cycles; ++n) {
-    cycle = *integrate_cycle(alone, rotne_prager_tensor, start, steps);
+    cycle = *integrate_cycle(alone, mobility, start, steps);
     start = centred(cycle.beads.back());
   }
-  const ShapeFlow flow(alone, rotne_prager_tensor);
+  const ShapeFlow flow(alone, mobility);
   double dipole = 0;
   for (int s = 0; s < steps; ++s) {
     const BeadVectors forces = as_beads(flow.forces(cycle.beads[s], alone.type.driving.period * s / steps));

@@ -7,7 +7,7 @@
 
 #include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/theory/box_mobility.hpp"
-#include "beadswim/theory/perturbation.hpp"
+#include "beadswim/theory/linear_response.hpp"
 #include "scenes.hpp"
 
 namespace beadswim {
@@ -96,9 +96,7 @@ TEST(InertiaCorrected, TendsToExactStokesFlowAsDensityVanishes) {
   const CollinearSwimmer swimmer = with_amplitude(unequal_swimmer(), 0.2);
   const Prediction exact = predicted("multipole-ode", ask(swimmer));
   const auto at_density = [&](double density) {
-    Question question = ask(with_density(swimmer, density));
-    question.fluid_density = density;
-    return predicted("inertia-corrected", question);
+    return predicted("inertia-corrected", ask(with_density(swimmer, density), density));
   };
   const auto deviation = [&](double density) { return at_density(density).velocity / exact.velocity - 1; };
   constexpr double slope_tolerance = 0.02;
@@ -161,8 +159,7 @@ TEST(InertiaCorrected, InABoxTendsToSteadyTheoryAsDensityVanishes) {
   const CollinearSwimmer swimmer = with_density(with_amplitude(unequal_swimmer(), small), density);
   for (const BoxPlace& place :
        {BoxPlace{periodic_box(140, 60, 70), {70, 30, 35}}, BoxPlace{walled_box(140, 60, 70), {60, 22, 35}}}) {
-    Question question = ask_in_box(swimmer, place.box, place.middle_bead);
-    question.fluid_density = density;
+    const Question question = ask_in_box(swimmer, place.box, place.middle_bead, density);
     const LineFlow flow = box_line_flow(place, swimmer.viscosity);
     const CollinearMobility exact = exact_mobility(swimmer, rest_positions(swimmer)),
                             open = rest_mobility(swimmer, rotne_prager),

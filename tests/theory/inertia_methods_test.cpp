@@ -116,21 +116,20 @@ TEST(InertialMethods, RefuseLayersThatAreThinAgainstABead) {
   CollinearSwimmer swimmer = paper_swimmer(2000);
   swimmer.viscosity = 1e-6;
   for (const char* method : {"unsteady-response", "inertia-corrected"}) {
-    const auto obstacle = find_method(method).obstacle(ask(swimmer));
-    ASSERT_TRUE(obstacle) << method;
+    const std::string reason = obstacle(find_method(method), ask(swimmer));
     EXPECT_NE(
-        obstacle->find("times smaller than the largest bead radius, above the limit of 141 times; increase "),
+        reason.find("times smaller than the largest bead radius, above the limit of 141 times; increase "),
         std::string::npos)
-        << *obstacle;
+        << method << reason;
     EXPECT_THROW(predicted(method, ask(swimmer)), InputError);
   }
 }
 
 TEST(InertialMethods, RefuseSurroundingsWithoutTheory) {
   Question question = ask(paper_swimmer(2000));
-  question.box_obstacle = "its box has no-slip walls";
+  question.surroundings.obstacle = "its box has no-slip walls";
   for (const char* method : {"unsteady-response", "inertia-corrected"}) {
-    EXPECT_EQ(find_method(method).obstacle(question), question.box_obstacle) << method;
+    EXPECT_EQ(obstacle(find_method(method), question), question.surroundings.obstacle) << method;
   }
 }
 
@@ -138,7 +137,7 @@ TEST(InertialMethods, RefuseBeadsThatOverlap) {
   CollinearSwimmer swimmer = paper_swimmer(2000);
   swimmer.arm = {7.9, 20};
   for (const char* method : {"unsteady-response", "inertia-corrected"})
-    EXPECT_TRUE(find_method(method).obstacle(ask(swimmer))) << method;
+    EXPECT_NE(obstacle(find_method(method), ask(swimmer)), "") << method;
 }
 
 }  // namespace

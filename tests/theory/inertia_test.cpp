@@ -127,9 +127,7 @@ TEST(UnsteadyMobility, TakesBeadsMassAsAnImpedance) {
 // ---- Limits
 
 Question in_fluid_of_density(const CollinearSwimmer& swimmer, double density) {
-  Question question = ask(with_density(swimmer, density));
-  question.fluid_density = density;
-  return question;
+  return ask(with_density(swimmer, density), density);
 }
 
 double ratio_to_steady(const Question& question) {
@@ -171,7 +169,7 @@ TEST(UnsteadyResponse, TendsToRotnePragerInABoxAsDensityVanishes) {
        {BoxPlace{periodic_box(128, 80, 80), {64, 40, 40}}, BoxPlace{walls, {50, 30, 20}}}) {
     const auto deviation = [&](double density) {
       Question question = in_fluid_of_density(unequal_swimmer(), density);
-      question.box = place;
+      question.surroundings.box = place;
       return predicted("unsteady-response", question).velocity /
                  predicted("rpy-box-perturbation", question).velocity -
              1;
@@ -241,8 +239,7 @@ TEST(UnsteadyResponse, OfHeavyBeadsInMasslessFluidSolvesNewtonsEquations) {
       2e-5;  // steps, transients, amplitudes beyond second order after extrapolation
   for (const CollinearSwimmer& shape :
        {with_density(paper_swimmer(2000), 20), with_density(unequal_swimmer(), 8)}) {
-    Question question = ask(shape);
-    question.fluid_density = 1e-9;
+    const Question question = ask(shape, 1e-9);
     const double predicted_velocity = predicted("unsteady-response", question).velocity;
     const auto simulated = [&](double amplitude) {
       return newtonian_velocity(with_amplitude(shape, amplitude), 1000, 14) / (amplitude * amplitude);

@@ -20,7 +20,7 @@ CollinearSwimmer swimmer_at(double separation) {
 }
 
 double exact_velocity_for_stroke(const CollinearSwimmer& s) {
-  return ask(s).exact->motion.velocity;
+  return ask(s).exact()->motion.velocity;
 }
 
 /// Checks that error(l/lambda) decreases with this order from 20 to 40 and 80, and is smaller than `finest`
@@ -108,7 +108,7 @@ TEST(PairLawLimits, ExactMotionOfThePapersSwimmerIsTheReferenceOne) {
               {3000, 1.7397e-3, 15.21, 21.99}, {4800, 1.7021e-3, 18.11, 26.66},
               {8000, 1.4025e-3, 21.55, 29.52}, {10000, 1.2246e-3, 22.94, 30.07}};
   for (const auto& row : rows) {
-    const PeriodicMotion motion = ask(paper_swimmer(row.period)).exact->motion;
+    const PeriodicMotion motion = ask(paper_swimmer(row.period)).exact()->motion;
     EXPECT_NEAR(motion.velocity, row.velocity, velocity_digits) << row.period;
     EXPECT_NEAR(motion.stroke.amplitude[0], row.d1, amplitude_digits) << row.period;
     EXPECT_NEAR(motion.stroke.amplitude[1], row.d2, amplitude_digits) << row.period;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "beadswim/core/error.hpp"
+#include "beadswim/theory/inertia_corrected.hpp"
 #include "swimmers.hpp"
 
 namespace beadswim {
@@ -44,7 +46,7 @@ TEST(Warnings, SayThatBeadsMeetWithinTheStroke) {
 TEST(Warnings, AreGivenWithoutAnExactReferenceToo) {
   CollinearSwimmer s = driven_by(0.5);
   s.arm = {8.004, 8.004};
-  ASSERT_FALSE(ask(s).exact.has_value());
+  ASSERT_FALSE(ask(s).exact());
   EXPECT_THAT(warnings(ask(s), tolerance),
               testing::Contains(HasSubstr("beads would touch during the stroke")));
 }
@@ -58,13 +60,23 @@ TEST(Warnings, OfBeadsThatOverlapAtRestAreOfTheirMeeting) {
 TEST(ExactReference, IsTheMotionByExactMobilities) {
   const CollinearSwimmer s = unequal_swimmer();
   const PeriodicMotion expected = second_order_motion(s, exact_mobility(s, rest_positions(s)));
-  EXPECT_EQ(ask(s).exact->motion.velocity, expected.velocity);
+  EXPECT_EQ(ask(s).exact()->motion.velocity, expected.velocity);
+}
+
+// The result does not depend on what was asked before: a question is complete when it is made.
+TEST(ExactReference, RefusalsStateItsOwnReason) {
+  CollinearSwimmer s = driven_by(0.1);
+  EXPECT_EQ(obstacle(find_method("multipole-ode"), Question(s, 1)), "");
+  s.arm = {8.004, 8.004};
+  EXPECT_THAT(obstacle(find_method("multipole-ode"), Question(s, 1)),
+              AllOf(HasSubstr("multipoles of order"), HasSubstr("use the less accurate method")));
+  EXPECT_THROW(inertia_corrected(ask(s)), InputError);
 }
 
 TEST(ExactReference, IsNoneForOverlap) {
   CollinearSwimmer s = driven_by(0.1);
   s.arm = {7.9, 7.9};
-  EXPECT_FALSE(ask(s).exact.has_value());
+  EXPECT_FALSE(ask(s).exact());
 }
 
 }  // namespace

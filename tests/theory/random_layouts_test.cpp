@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
-#include "beadswim/theory/perturbation.hpp"
 #include "gauge_formula.hpp"
 #include "random_swimmers.hpp"
 
@@ -80,7 +80,7 @@ TEST(RandomLayouts, MultipolePerturbationIsTheAreaFormulaOfItsMobilities) {
       return gauge::Matrix3(exact_mobility(s, x).value.cast<gauge::Real>());
     };
     const double gap = smallest_gap(s, rest_positions(s));
-    add_error(errors, s, ask(s).exact->motion, gauge::second_order(s, mobility, 0.02L * gap));
+    add_error(errors, s, ask(s).exact()->motion, gauge::second_order(s, mobility, 0.02L * gap));
   }
   EXPECT_LT(errors.velocity, truncation) << "seed " << RandomSwimmers::seed;
   EXPECT_LT(errors.arms, truncation) << "seed " << RandomSwimmers::seed;

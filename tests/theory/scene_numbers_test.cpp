@@ -20,9 +20,9 @@ TEST(SceneNumbers, OfThePapersSwimmer) {
   EXPECT_NEAR(type.penetration_depth, std::sqrt(2.0 / 3 / omega), 1e-10);
   EXPECT_NEAR(type.arm_over_radius[0], 5, roundoff);
   EXPECT_NEAR(type.drag_over_spring[0], 6 * std::numbers::pi / 3 * 4 * omega / 0.0347, roundoff);
-  EXPECT_EQ(type.arm_gap, (std::vector{12.0, 12.0}));
+  EXPECT_EQ(type.arm_gaps, (std::vector{12.0, 12.0}));
   EXPECT_EQ(numbers.smallest_gap, 12);
-  EXPECT_NEAR((*type.box_over_length)[0], 1200.0 / 48, roundoff);
+  EXPECT_NEAR((*type.box_over_swimmer_length)[0], 1200.0 / 48, roundoff);
   EXPECT_NEAR(numbers.resolution->cell, 1, roundoff);
   EXPECT_NEAR(numbers.resolution->time_step, 1, roundoff);
   EXPECT_NEAR(*numbers.resolution->cells_in_box, 768e6, 1e-3);
@@ -50,7 +50,7 @@ TEST(SceneNumbers, ArmAmplitudesTendToThePapersForLongArms) {
       for (Spring& spring : type.springs) spring.rest_length = arm;
       type.driving = {.amplitude = {A, B}, .phase = alpha, .period = T};
     });
-    const auto amplitude = scene_numbers(layout).types.at("a").arm_amplitude;
+    const auto amplitude = scene_numbers(layout).types.at("a").arm_amplitudes;
     const double truncation = 4 / arm;  // first order in lambda/l, factor about 1
     EXPECT_NEAR(amplitude[0] / expected[0], 1, truncation);
     EXPECT_NEAR(amplitude[1] / expected[1], 1, truncation);
@@ -67,9 +67,9 @@ TEST(SceneNumbers, OfTheSwarmsSwimmer) {
     type.driving = {.amplitude = {2, 2}, .phase = std::numbers::pi / 2, .period = 2000};
   });
   const TypeNumbers numbers = scene_numbers(layout).types.at("a");
-  EXPECT_NEAR(numbers.reynolds.value(), 0.8, 0.1);
-  EXPECT_NEAR(numbers.arm_amplitude[0], 7.4, 0.05 * 7.4);
-  EXPECT_NEAR(numbers.arm_amplitude[1], 10.3, 0.05 * 10.3);
+  EXPECT_NEAR(numbers.reynolds_bead.value(), 0.8, 0.1);
+  EXPECT_NEAR(numbers.arm_amplitudes[0], 7.4, 0.05 * 7.4);
+  EXPECT_NEAR(numbers.arm_amplitudes[1], 10.3, 0.05 * 10.3);
 }
 
 }  // namespace

@@ -14,12 +14,12 @@
 
 namespace beadswim {
 
-/// Returns a question for one swimmer in a box of fluid of density 1. Its middle bead is at `middle`; its
+/// Returns a question for one swimmer in a box. Its middle bead is at `middle`; its
 /// axis is the first axis of the box.
 inline Question ask_in_box(const CollinearSwimmer& swimmer, const Box& box,
-                           const std::array<double, 3>& middle) {
-  Question question = ask(swimmer);
-  question.box = BoxPlace{.box = box, .middle_bead = middle};
+                           const std::array<double, 3>& middle, double fluid_density = 1) {
+  Question question = ask(swimmer, fluid_density);
+  question.surroundings.box = BoxPlace{.box = box, .middle_bead = middle};
   return question;
 }
 

@@ -9,6 +9,7 @@
 #include "beadswim/theory/periodic_motion.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
 #include "random_swimmers.hpp"
+#include "shaped_line.hpp"
 
 // The motion of swimmers of any shape, against the theory of three beads on a line, symmetries and limits.
 
@@ -16,23 +17,6 @@ namespace beadswim {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// Returns three beads on a line as a swimmer of any shape, turned by `orientation`.
-ShapedSwimmer shaped(const CollinearSwimmer& line, const Eigen::Matrix3d& orientation) {
-  ThreeBeadSwimmer three;
-  for (int b = 0; b < 3; ++b) three.beads[b] = {line.radius[b], 1};
-  for (int k = 0; k < 2; ++k) three.springs[k] = {line.stiffness[k], line.arm[k], line.damping[k]};
-  three.angular_stiffness = 10 * line.stiffness[0] * line.arm[0] * line.arm[0];
-  three.driving = {.amplitude = line.amplitude,
-                   .phase = line.phase,
-                   .period = line.period,
-                   .frame = DrivingFrame::initial_axis};
-  return {swimmer_type(three), orientation, line.viscosity};
-}
-
-Eigen::Matrix3d some_orientation() {
-  return Eigen::AngleAxisd(2, Vec3(2, -1, 2) / 3).toRotationMatrix();
-}
 
 TEST(SecondOrderMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
   RandomSwimmers random(0.1, 10);
@@ -56,6 +40,37 @@ TEST(SecondOrderMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
                   1e-6 * (d1 * d1 + d2 * d2) / line.arm[k] + 1e-15 * line.arm[k]);
     }
   }
+}
+
+TEST(FirstOrderMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
+  RandomSwimmers random(0.1, 10);
+  for (int n = 0; n < 12; ++n) {
+    const CollinearSwimmer line = random.next();
+    const LinearResponse expected = linear_response(line, rest_mobility(line, rotne_prager).value);
+    const FirstOrderMotion motion = first_order_motion(shaped(line, some_orientation()), rotne_prager_tensor);
+    for (int b = 0; b < 3; ++b)
+      EXPECT_NEAR(motion.bead_speeds[b] / (line.angular_frequency() * std::abs(expected.displacement[b])), 1,
+                  1e-9)
+          << n;
+    for (int k = 0; k < 2; ++k)
+      EXPECT_NEAR(motion.stroke.amplitude[k] / std::abs(expected.arm[k]), 1, 1e-9) << n;
+  }
+}
+
+// Stokes' law for a bead that one force drives on a circle and another one tows: catches the speeds along
+// two axes being added.
+TEST(FirstOrderMotionOfShapes, OfABeadIsStokesLaw) {
+  constexpr double radius = 2, viscosity = 3, force = 5, towing = 7;
+  SwimmerType type;
+  type.beads = {{{radius, 1}, Vec3::Zero()}};
+  type.driving = {.period = 11, .net_force = NetForce::allowed};
+  type.driving.forces = {
+      {.bead = 0, .direction = Vec3::UnitX(), .harmonics = {{.amplitude = force}}},
+      {.bead = 0, .direction = Vec3::UnitY(), .harmonics = {{.amplitude = force, .phase = pi / 2}}},
+      {.bead = 0, .direction = Vec3::UnitZ(), .constant = towing}};
+  const FirstOrderMotion motion =
+      first_order_motion({type, some_orientation(), viscosity}, rotne_prager_tensor);
+  EXPECT_NEAR(motion.bead_speeds.at(0), (force + towing) / (6 * pi * viscosity * radius), 1e-12);
 }
 
 PeriodicMotion motion_of_line(const CollinearSwimmer& line) {
@@ -99,6 +114,18 @@ TEST(PeriodicMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
     EXPECT_NEAR((line.arm[k] + motion.arm_changes[k]) / (line.arm[k] + expected.arm_changes[k]), 1, 1e-9);
   }
   EXPECT_NEAR(motion.smallest_gap / expected.smallest_gap, 1, 1e-2);  // sampled at other times
+}
+
+// Driving forces along x turn a swimmer that begins at an angle to x until it is parallel to them. Its
+// velocity is then that of the line. Would catch a projection on the axis at the start.
+TEST(PeriodicMotionOfShapes, OfALineThatItsDrivesTurnIsThatOfTheLine) {
+  CollinearSwimmer line = paper_swimmer(2000);
+  line.amplitude = {0.3, 0.3};
+  ShapedSwimmer swimmer = shaped(line, Eigen::AngleAxisd(0.4, Vec3::UnitZ()).toRotationMatrix());
+  swimmer.type.driving.frame = DrivingFrame::lab;
+  const ShapeMotion motion = periodic_motion(swimmer, rotne_prager_tensor);
+  EXPECT_NEAR(motion.turn, 0.4, 1e-6);
+  EXPECT_NEAR(motion.velocity / motion_of_line(line).velocity, 1, 1e-6);
 }
 
 const Fluid fluid{.density = 1, .kinematic_viscosity = 1.0 / 3};
@@ -158,6 +185,31 @@ TEST(PeriodicMotionOfShapes, OfACoupleIsARotationAtAnyRate) {
     EXPECT_LT((motion.angular_velocity - expected).norm(), 1e-7 * expected.norm()) << force;
     EXPECT_LT(motion.velocity_vector.norm() * period, 1e-9);
   }
+}
+
+// A couple that turns two beads up to hundreds of times in a period: where even the finest steps are too
+// long, the motion is marked as unresolved, and its error is not stated as zero.
+TEST(PeriodicMotionOfShapes, IsMarkedWhereTheFinestStepsAreTooLong) {
+  SwimmerType type;
+  for (const double x : {-10, 10}) type.beads.push_back({{.radius = 4, .density = 1}, Vec3(x, 0, 0)});
+  type.bonds = {{{100, 20, 0}, {0, 1}}};
+  type.driving.period = 1000;
+  type.driving.frame = DrivingFrame::body;
+  int unresolved = 0;
+  for (const double force : {40.0, 80.0, 120.0, 160.0, 200.0, 240.0}) {
+    type.driving.forces.clear();
+    for (const int bead : {0, 1})
+      type.driving.forces.push_back(
+          {.bead = bead, .direction = Vec3::UnitY(), .constant = bead == 0 ? -force : force});
+    const ShapedSwimmer swimmer{type, Eigen::Matrix3d::Identity(), 1.0 / 3};
+    try {
+      const ShapeMotion motion = periodic_motion(swimmer, rotne_prager_tensor);
+      unresolved += motion.is_resolved ? 0 : 1;
+      EXPECT_GT(motion.numerical_error, 0) << force;
+    } catch (const InputError&) {  // no step count has a solution
+    }
+  }
+  EXPECT_GT(unresolved, 0);
 }
 
 // Equal forces along the circle through the corners spin a triangle several times in a period, as a rigid

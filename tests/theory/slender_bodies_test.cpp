@@ -71,7 +71,7 @@ std::array<TowedRod, 2> towed_chain(int beads) {
                                        std::numbers::egamma - 0.5 + 2 * d / (3 * a) + sums};
   std::array<TowedRod, 2> rods;
   for (const int axis : {0, 1}) {
-    rods[axis] = {towing_drag(swimmer, shape, Vec3::Unit(axis), rotne_prager_tensor),
+    rods[axis] = {towing_drag(shape, Vec3::Unit(axis), pair_mobility(swimmer, rotne_prager_tensor)),
                   std::log(beads / 2.0) + log_2d_b[axis] + std::log(2) - (axis == 0 ? 1.5 : 0.5)};
   }
   return rods;

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "beadswim/theory/finite_amplitude.hpp"
+#include "beadswim/theory/periodic_motion.hpp"
 #include "random_swimmers.hpp"
 
 // Tests the limit of small amplitude: V = V_2 (1 + c s^2 + O(s^4)) for driving forces s A, s B; V_2: velocity
@@ -112,8 +112,8 @@ TEST(FiniteAmplitude, EstimateOfTheReferenceIsThatOfExactFlow) {
     s.amplitude = {0.2, 0.2};
     const Question asked = ask(s);
     const double change =
-        predict(find_method("multipole-ode"), asked).velocity / asked.exact->motion.velocity - 1;
-    EXPECT_NEAR(asked.exact->amplitude_change / change, 1, model) << period;
+        predict(find_method("multipole-ode"), asked).velocity / asked.exact()->motion.velocity - 1;
+    EXPECT_NEAR(asked.exact()->amplitude_change / change, 1, model) << period;
   }
 }
 

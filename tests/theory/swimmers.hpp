@@ -6,8 +6,8 @@
 #include "beadswim/collinear/oseen.hpp"
 #include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
+#include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/methods.hpp"
-#include "beadswim/theory/perturbation.hpp"
 
 namespace beadswim {
 
@@ -65,9 +65,9 @@ inline CollinearSwimmer in_units(const CollinearSwimmer& s, double length, doubl
   return u;
 }
 
-/// Returns a question for a swimmer in unbounded fluid of density 1.
-inline Question ask(const CollinearSwimmer& swimmer) {
-  return with_exact_reference({.swimmer = swimmer, .fluid_density = 1});
+/// Returns a question for a swimmer in unbounded fluid.
+inline Question ask(const CollinearSwimmer& swimmer, double fluid_density = 1) {
+  return Question(swimmer, fluid_density);
 }
 
 inline Prediction prediction_of(const std::string& method, const CollinearSwimmer& swimmer) {

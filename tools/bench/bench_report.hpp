@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/fields.hpp"
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/lattice/precision.hpp"
@@ -62,11 +63,7 @@ struct BandwidthRow {
   int ranks = 1;
   double in_place_gb_s = 0, copy_gb_s = 0;  ///< bytes read plus written per time, medians [10^9 byte/s]
 
-  static void visit_fields(auto&& visit, auto& row) {
-    visit("ranks", row.ranks);
-    visit("in_place_gb_s", row.in_place_gb_s);
-    visit("copy_gb_s", row.copy_gb_s);
-  }
+  BEADSWIM_FIELDS(ranks, in_place_gb_s, copy_gb_s)
 };
 
 /// Results of beadswim-bench: either the speed of the lattice solver (rows, bandwidths) or the time of

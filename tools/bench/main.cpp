@@ -25,42 +25,24 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       "second and relative to the memory bandwidth. With --beads, measures the time of mobility products "
       "(bead velocities from forces) instead. Under mpirun -n N, measures on 1 rank and on N ranks.");
   begin_group(*program, "Lattice");
-  program
-      ->add_option(
-          "--edge", options.request.edges,
-          "Edge of the cube of cells that each rank computes; every value of the list is measured [cell]")
-      ->delimiter(',')
-      ->check(whole_number(32, 4096))
-      ->default_str("64,128,256")
-      ->type_name("N,...");
+  add_value(*program, "--edge", options.request.edges, {"N,...", whole_number(32, 4096), "64,128,256"},
+            "Edge of the cube of cells that each rank computes; every value of the list is measured [cell]")
+      ->delimiter(',');
   add_choices(*program, "--precision", options.request.precisions,
               "Floating-point precisions of the fluid populations to measure: double, single or both");
   add_choice(*program, "--bead-boundary", options.request.bead_boundary,
              "Scheme of the no-slip condition on bead surfaces in the swarm benchmark, as in beadswim-run");
   begin_group(*program, "Mobility");
   auto* beads =
-      program
-          ->add_option(
-              "--beads", options.products.beads,
-              "Numbers of beads for which mobility products are measured, instead of the lattice solver")
-          ->delimiter(',')
-          ->check(whole_number(2, 100000000))
-          ->default_str("none")
-          ->type_name("N,...");
-  program
-      ->add_option("--tolerance", options.products.tolerance,
-                   "Largest relative error of the bead velocities in the mobility products of --beads [1]")
-      ->type_name("E")
-      ->needs(beads)
-      ->check(number_between(1e-12, 1e-2))
-      ->capture_default_str();
-  program
-      ->add_option("--multipole-order", options.products.multipole_order,
-                   "Highest moment of the force on each bead in the products of --beads, as in beadswim-run")
-      ->type_name("N")
-      ->needs(beads)
-      ->check(whole_number(0, 2))
-      ->capture_default_str();
+      add_value(*program, "--beads", options.products.beads, {"N,...", whole_number(2, 100000000), "none"},
+                "Numbers of beads for which mobility products are measured, instead of the lattice solver")
+          ->delimiter(',');
+  add_value(*program, "--tolerance", options.products.tolerance, {"E", number_between(1e-12, 1e-2)},
+            "Largest relative error of the bead velocities in the mobility products of --beads [1]")
+      ->needs(beads);
+  add_value(*program, "--multipole-order", options.products.multipole_order, {"N", whole_number(0, 2)},
+            "Highest moment of the force on each bead in the products of --beads, as in beadswim-run")
+      ->needs(beads);
   program
       ->add_flag(
           "--unsteady", options.products.is_unsteady,
@@ -68,12 +50,8 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
           "step; the step is a hundredth of the period 2000")
       ->needs(beads);
   begin_group(*program, "Options");
-  program
-      ->add_option("--rounds", options.request.rounds,
-                   "Number of times that each case is measured; medians over these rounds are printed")
-      ->type_name("N")
-      ->check(whole_number(1, 1000))
-      ->capture_default_str();
+  add_value(*program, "--rounds", options.request.rounds, {"N", whole_number(1, 1000)},
+            "Number of times that each case is measured; medians over these rounds are printed");
   program->add_flag("--json", options.json, "Print the results as JSON instead of a table.");
   set_footer(*program,
              {"beadswim-bench --edge 32 --rounds 1", "beadswim-bench --beads 99,999 --json >products.json"},

@@ -89,9 +89,10 @@ double mesh_seconds(const MobilityScene& scene, const EwaldPlan& plan, const Bea
                               .viscosity = scene.viscosity,
                               .radii = scene.radii,
                               .lengths = scene.box->lengths};
-  ParticleMesh mesh(plan, spheres, scene.memory, {}, communicator);
+  ParticleMesh mesh(plan, spheres, scene.memory, {}, Receivers::spheres, communicator);
   return median(times_of(rounds, communicator, [&] {
-    mesh.set_positions(beads.positions, count);
+    mesh.set_sources(beads.positions, bounding_box(beads.positions));
+    mesh.set_receivers(beads.positions);
     mesh.add_flows(sources, FlowPart::forces, flows);
   }));
 }

@@ -44,20 +44,9 @@ struct ProductRow {
   std::optional<double> error{};
   std::int64_t memory_bytes = 0;  ///< growth of the resident memory of all ranks [byte]
 
-  static void visit_fields(auto&& visit, auto& row) {
-    visit("beads", row.beads);
-    visit("surroundings", row.surroundings);
-    visit("ranks", row.ranks);
-    visit("tolerance", row.tolerance);
-    visit("multipole_order", row.multipole_order, omitted_if(0));
-    visit("iterations", row.iterations, omitted_if(0));
-    visit("seconds", row.seconds);
-    visit("seconds_best", row.seconds_best);
-    visit("mesh_seconds", row.mesh_seconds, omitted_if_none);
-    visit("end_of_step_seconds", row.end_of_step_seconds, omitted_if_none);
-    visit("error", row.error);
-    visit("memory_bytes", row.memory_bytes);
-  }
+  BEADSWIM_FIELDS(beads, surroundings, ranks, tolerance, (multipole_order, omitted_if(0)),
+                  (iterations, omitted_if(0)), seconds, seconds_best, (mesh_seconds, omitted_if_none),
+                  (end_of_step_seconds, omitted_if_none), error, memory_bytes)
 };
 
 /// Times mobility products of beads of radius 6 at random positions, in a periodic box and in open space, on

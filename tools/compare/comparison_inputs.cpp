@@ -8,21 +8,9 @@
 #include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/documents/results.hpp"
-#include "beadswim/scene/units.hpp"
 
 namespace beadswim {
 namespace {
-
-/// Throws InputError if the document is the record of a failed run, whose results are not valid, or of a
-/// large swarm without a cycle.
-void require_success(const SwimmingDocument& document, const std::string& source) {
-  const auto* run = std::get_if<RunRecord>(&document);
-  if (run == nullptr) return;
-  if (run->swimmers.empty()) select_cycles({}, {}, source);
-  if (run->status != RunStatus::failed) return;
-  throw InputError(source,
-                   "the file is the record of a failed run; correct the cause of the failure and run again");
-}
 
 // --- Check that the documents describe the same scene
 
@@ -30,7 +18,7 @@ void require_success(const SwimmingDocument& document, const std::string& source
 /// if --allow-difference does not name one of the differences.
 std::vector<SceneDifference> require_same_scene(const RunFile& run, const SourceDocument& reference,
                                                 const std::vector<std::string>& allowed) {
-  if (!same_units(run.record.units, units_of(reference.document))) {
+  if (run.record.units != units_of(reference.document)) {
     throw InputError(reference.source, fmt::format("the reference has other units of length, time or mass "
                                                    "than {}; compare files made from the same layout",
                                                    run.source));
@@ -38,9 +26,8 @@ std::vector<SceneDifference> require_same_scene(const RunFile& run, const Source
   const std::vector<SceneDifference> differences = scene_differences(run.record, reference.document);
   std::vector<std::string> names, refused;
   for (const SceneDifference& difference : differences) {
-    names.push_back(difference.property);
-    if (std::ranges::find(allowed, difference.property) == allowed.end())
-      refused.push_back(in_words(difference));
+    names.push_back(difference.name);
+    if (std::ranges::find(allowed, difference.name) == allowed.end()) refused.push_back(in_words(difference));
   }
   if (refused.empty()) return differences;
   throw InputError(reference.source,
@@ -50,15 +37,6 @@ std::vector<SceneDifference> require_same_scene(const RunFile& run, const Source
 }
 
 // --- References of one swimmer
-
-/// Returns the axis of the swimmer for which a prediction states vectors; nullopt if it is not that of the
-/// layout, because the drives turn the swimmer.
-std::optional<Vec3> predicted_axis(const PredictionDocument& document, const Prediction& prediction) {
-  if (!document.scene || number_setting(prediction, "turn")) return std::nullopt;
-  const auto swimmer = std::ranges::find(document.scene->swimmers, document.swimmer, &Swimmer::id);
-  if (swimmer == document.scene->swimmers.end()) return std::nullopt;
-  return swimmer->orientation().col(0);
-}
 
 /// Returns a swimmer of a run.
 RunSwimmer swimmer_in(const RunRecord& run, int id, const CycleChoice& cycle, const std::string& source) {
@@ -70,9 +48,19 @@ RunSwimmer swimmer_in(const RunRecord& run, int id, const CycleChoice& cycle, co
           .axis = select_cycles(swimmer.cycles, cycle, source).back().axis};
 }
 
+/// Returns true if the predictions are valid for the swimmer: it is theirs, or, if the request names it, one
+/// with the same parameters in the scene of the predictions or of the run.
+bool are_valid_for(int id, const PredictionDocument& document, const RunRecord& run, bool is_named) {
+  if (document.swimmer == id) return true;
+  const std::optional<Layout>& scene = document.scene ? document.scene : run.scene;
+  return is_named && scene && are_predicted_alike(*scene, document.swimmer, id);
+}
+
 /// Returns the references for a swimmer that one file contains: one reference for a run record, one per
 /// method for predictions.
-std::vector<Reference> references_for(int id, const SourceDocument& file, const CycleChoice& cycle) {
+std::vector<Reference> references_for(int id, const SourceDocument& file, const RunRecord& compared,
+                                      const ComparisonRequest& request) {
+  const CycleChoice& cycle = request.cycle;
   if (const auto* run = std::get_if<RunRecord>(&file.document)) {
     const RunSwimmer swimmer = swimmer_in(*run, id, cycle, file.source);
     return {Reference{.source = file.source,
@@ -84,15 +72,15 @@ std::vector<Reference> references_for(int id, const SourceDocument& file, const 
   }
   std::vector<Reference> references;
   const auto& document = std::get<PredictionDocument>(file.document);
-  if (document.swimmer != id) return references;
+  if (!are_valid_for(id, document, compared, request.swimmer.has_value())) return references;
   const Layout* scene = document.scene ? &*document.scene : nullptr;
   for (const Prediction& prediction : document.predictions) {
     references.push_back({.source = file.source,
                           .method = prediction.method,
                           .usable = prediction.usable,
-                          .results = results_of(prediction, scene, id),
+                          .results = results_of(prediction, scene, document.swimmer),
                           .numerical_error = number_setting(prediction, "numerical_error").value_or(0),
-                          .axis = predicted_axis(document, prediction)});
+                          .axis = predicted_axis(prediction, scene, document.swimmer)});
   }
   return references;
 }
@@ -104,11 +92,19 @@ struct References {
   std::size_t own = 0;
 };
 
-References references_for(int swimmer, const ComparisonInputs& inputs, const CycleChoice& cycle) {
-  References references{references_for(swimmer, inputs.references.front(), cycle)};
+/// Throws InputError if REFERENCE contains predictions for another swimmer only.
+References references_for(int swimmer, const ComparisonInputs& inputs, const ComparisonRequest& request) {
+  const SourceDocument& reference = inputs.references.front();
+  const RunRecord& run = inputs.runs.front().record;
+  References references{references_for(swimmer, reference, run, request)};
   references.own = references.all.size();
+  if (references.all.empty())
+    throw InputError(reference.source,
+                     fmt::format("the predictions are for swimmer {}, and not valid for swimmer {}; predict "
+                                 "with beadswim-theory --swimmer {}",
+                                 swimmers_of(reference.document).front(), swimmer, swimmer));
   for (const SourceDocument& file : std::span(inputs.references).subspan(1)) {
-    const std::vector<Reference> more = references_for(swimmer, file, cycle);
+    const std::vector<Reference> more = references_for(swimmer, file, run, request);
     references.all.insert(references.all.end(), more.begin(), more.end());
   }
   return references;
@@ -149,10 +145,10 @@ std::size_t deciding_reference(const ComparisonRequest& request, const Reference
 /// Compares one swimmer of every run with all references, and adds the rows to `result`.
 void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const ComparisonInputs& inputs,
                                  VerdictDocument& result) {
-  const References references = references_for(id, inputs, request.cycle);
   std::vector<RunSwimmer> in_runs;
   for (const RunFile& run : inputs.runs)
     in_runs.push_back(swimmer_in(run.record, id, request.cycle, run.source));
+  const References references = references_for(id, inputs, request);
   // A swimmer with fewer than two bonds has no phase shift.
   std::erase_if(request.quantities,
                 [&](ResultQuantity quantity) { return !in_runs.front().results.contains(quantity); });
@@ -173,6 +169,15 @@ void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const Compar
 
 }  // namespace
 
+void require_success(const SwimmingDocument& document, const std::string& source) {
+  const auto* run = std::get_if<RunRecord>(&document);
+  if (run == nullptr) return;
+  if (run->swimmers.empty()) select_cycles({}, {}, source);
+  if (run->status != RunStatus::failed) return;
+  throw InputError(source,
+                   "the file is the record of a failed run; correct the cause of the failure and run again");
+}
+
 VerdictDocument compare(const ComparisonInputs& inputs, const ComparisonRequest& request) {
   VerdictDocument result;
   std::vector<std::optional<RunCost>> costs;
@@ -189,14 +194,15 @@ VerdictDocument compare(const ComparisonInputs& inputs, const ComparisonRequest&
   }
   result.cost = total_cost(costs);
   result.study = inputs.runs.front().record.study.value_or(Json());
-  for (const int id : swimmers_of(inputs.references.front().document)) {
-    compare_swimmer_in_all_runs(id, request, inputs, result);
-  }
+  const std::vector<int> ids =
+      request.swimmer ? std::vector{*request.swimmer} : swimmers_of(inputs.references.front().document);
+  for (const int id : ids) compare_swimmer_in_all_runs(id, request, inputs, result);
   if (result.rows.empty())
     throw InputError(
         inputs.runs.front().source,
-        "no compared quantity is defined, because the phases are those of arms that do not move; "
-        "select another one with --quantity");
+        fmt::format("no compared quantity is defined: the method \"{}\" does not state it, or it "
+                    "is the phase of an arm that does not move; select another --quantity",
+                    result.decided_by));
   return result;
 }
 

@@ -17,6 +17,8 @@ namespace beadswim {
 struct ComparisonRequest {
   std::vector<std::string> files;               ///< run records; the last file is the reference
   std::vector<std::string> further_references;  ///< compared in addition to the reference
+  std::optional<int> swimmer;                   ///< id; nullopt: see compare()
+  std::string table;                            ///< file of result_table(); empty: the runs are compared
   std::optional<std::string> method;            ///< method of the verdict; nullopt: best_reference()
   std::vector<ResultQuantity> quantities;
   double tolerance = 0;  ///< largest accepted |relative error|
@@ -35,9 +37,14 @@ struct ComparisonInputs {
   std::vector<SourceDocument> references;  ///< the file REFERENCE, then the files of --reference
 };
 
-/// Compares each run with every reference. If the reference is a prediction, the swimmer of the prediction is
-/// compared. If the reference is a run, all its swimmers are compared. Throws InputError if units or scenes
-/// differ, if a run has failed, or if no usable method can determine the verdict.
+/// Throws InputError if the document is the record of a failed run, whose results are not valid, or of a
+/// large swarm without a cycle.
+void require_success(const SwimmingDocument& document, const std::string& source);
+
+/// Compares each run with every reference. Unless the request names a swimmer, the swimmer of the prediction
+/// is compared if the reference is a prediction, and all its swimmers if it is a run. Throws InputError if
+/// units or scenes differ, if there is no such swimmer, if a run has failed, or if no usable method can
+/// determine the verdict.
 VerdictDocument compare(const ComparisonInputs& inputs, const ComparisonRequest& request);
 
 }  // namespace beadswim

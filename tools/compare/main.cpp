@@ -5,6 +5,7 @@
 #include "beadswim/study/stream.hpp"
 #include "beadswim/tools/named_flags.hpp"
 #include "comparison_stream.hpp"
+#include "result_table.hpp"
 #include "verdict_table.hpp"
 
 namespace {
@@ -59,10 +60,30 @@ void add_flags(CLI::App& program, ComparisonRequest& request, std::string& cycle
       ->default_str("none");
   program.add_flag("--all", request.shows_all,
                    "Print all rows of the table, not only what decides and the best.");
+  add_value(program, "--swimmer", request.swimmer,
+            {.name = "ID", .allowed = whole_number(0, 999999999), .initial = "that of predictions, or all"},
+            "Swimmer of the runs that is compared, or that the table lists");
+  const auto take_table = [&request](const std::string& path) {
+    require_csv_path(path, "--table");
+    request.table = path;
+  };
+  CLI::Option* table = add_value(program, "--table", take_table, {.name = "FILE.csv", .initial = "none"},
+                                 "File to write, instead of a comparison, with all results of each swimmer "
+                                 "of the runs in each cycle; - is standard output");
+  for (const char* flag :
+       {"--reference", "--method", "--quantity", "--tolerance", "--cycle", "--allow-difference", "--all"})
+    table->excludes(program.get_option(flag));
   set_footer(program,
              {"beadswim-compare run.json theory.json --method rpy-box-ode >verdict.json",
-              "beadswim-compare lbm.json run.json --quantity velocity --tolerance 0.5"},
+              "beadswim-compare lbm.json run.json --quantity velocity --tolerance 0.5",
+              "beadswim-compare run.h5md --table cycles.csv"},
              "reading-results.md");
+}
+
+int write_table(const ComparisonRequest& request) {
+  for (const std::string& input : request.files) require_other_file(input, request.table);
+  write_text(request.table, result_table(request.files, request.swimmer));
+  return static_cast<int>(ExitStatus::fine);
 }
 
 int compare_single(ComparisonFiles& files, const ComparisonRequest& request) {
@@ -96,12 +117,14 @@ int run(int argc, const char* const* argv) {
   const auto program = make_program(
       "beadswim-compare",
       "Compares runs with a prediction or another run. Prints the verdict as JSON on standard output and as "
-      "a table on standard error. The exit status is 1 if the verdict is negative.");
+      "a table on standard error. The exit status is 1 if the verdict is negative. --table writes the "
+      "results of runs as a table instead.");
   ComparisonRequest request;
   std::string cycle = "last";
   add_flags(*program, request, cycle);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
   request.cycle = parse_cycle_choice(cycle);
+  if (!request.table.empty()) return write_table(request);
   ComparisonFiles files(request);
   return files.is_stream() ? compare_stream(files, request) : compare_single(files, request);
 }

@@ -8,6 +8,7 @@
 #include "beadswim/core/joined.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/fields_json.hpp"
+#include "beadswim/scene/units.hpp"
 #include "beadswim/theory/scene_numbers.hpp"
 #include "beadswim/tools/program.hpp"
 #include "commands.hpp"
@@ -36,16 +37,16 @@ std::string row(const std::string& name, std::span<const double> values) {
 }
 
 std::string table_of(const std::string& name, const TypeNumbers& numbers) {
-  const char* arms = numbers.arm_gap.size() == 2 ? "arms 1, 2" : "bonds";
-  const auto& box = numbers.box_over_length;
+  const char* arms = numbers.arm_gaps.size() == 2 ? "arms 1, 2" : "bonds";
+  const auto& box = numbers.box_over_swimmer_length;
   return fmt::format("type {}\n", name) + row("driving phase alpha [rad]", numbers.phase) +
-         row("Re = 2 lambda v/nu, fastest bead", numbers.reynolds) +
+         row("Re = 2 lambda v/nu, fastest bead", numbers.reynolds_bead) +
          row("penetration depth delta = sqrt(2 nu/omega)", numbers.penetration_depth) +
          row("lambda/delta", numbers.radius_over_penetration_depth) +
          row(fmt::format("l/lambda, {}", arms), numbers.arm_over_radius) +
          row(fmt::format("gamma omega/k, {}", arms), numbers.drag_over_spring) +
-         row("predicted arm amplitudes d1, d2 (first order, Rotne-Prager)", numbers.arm_amplitude) +
-         row("gaps between an arm's beads at rest", numbers.arm_gap) +
+         row("predicted arm amplitudes d1, d2 (first order, Rotne-Prager)", numbers.arm_amplitudes) +
+         row("gaps between an arm's beads at rest", numbers.arm_gaps) +
          row("displacement of beads at the start from \"at\"", numbers.start_displacement) +
          row("box/swimmer length, x, y, z", box ? std::span<const double>(*box) : std::span<const double>()) +
          row("strain of the background flow per period, G T", numbers.strain_per_period) +
@@ -61,13 +62,9 @@ std::string table_of(const ResolutionNumbers& numbers) {
 }
 
 std::string table_of(const Layout& layout, const SceneNumbers& numbers) {
-  const std::string units = layout.units.lattice
-                                ? "lattice"
-                                : fmt::format("{}, {}, {}", layout.units.length.name, layout.units.time.name,
-                                              layout.units.mass.name);
   const double gap = numbers.smallest_gap;
   std::string text = "scene\n" + row("swimmers", std::to_string(layout.swimmers.size())) +
-                     row("units", units) +
+                     row("units", layout.units.lattice ? "lattice" : unit_names(layout.units)) +
                      row("smallest gap between surfaces (beads, images, walls)",
                          std::isfinite(gap) ? fmt::format("{:.4g}", gap) : "none");
   text += row("smallest height over the wall/radius of the bead", numbers.smallest_relative_height);
@@ -94,13 +91,13 @@ std::string heading(const StreamMember& member, const Json& study) {
 /// Beads with such an amplitude would collide, but the first-order prediction does not include collisions.
 void warn_of_collisions(const SceneNumbers& numbers) {
   for (const auto& [name, type] : numbers.types) {
-    for (std::size_t arm = 0; arm < type.arm_amplitude.size(); ++arm) {
-      if (type.arm_amplitude[arm] < type.arm_gap[arm]) continue;
+    for (std::size_t arm = 0; arm < type.arm_amplitudes.size(); ++arm) {
+      if (type.arm_amplitudes[arm] < type.arm_gaps[arm]) continue;
       fmt::print(stderr,
                  "beadswim-layout: warning: /types/{}: the predicted amplitude {:.4g} of arm {} exceeds the "
                  "gap {:.4g} between its two beads, so these beads will collide; lower the driving "
                  "amplitude, or raise stiffness or damping\n",
-                 name, type.arm_amplitude[arm], arm + 1, type.arm_gap[arm]);
+                 name, type.arm_amplitudes[arm], arm + 1, type.arm_gaps[arm]);
     }
   }
 }

@@ -5,8 +5,9 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
+#include "beadswim/scene/combine.hpp"
 #include "beadswim/scene/defects.hpp"
-#include "beadswim/tools/program.hpp"
+#include "beadswim/tools/named_flags.hpp"
 #include "commands.hpp"
 #include "layout_output.hpp"
 
@@ -14,28 +15,6 @@ namespace beadswim {
 namespace {
 
 constexpr const char* needed = "none; required without --fraction";
-
-/// Returns the first of the names "b", "c", ..., "z", "a1", "a2", ... that no swimmer type of the layout has.
-std::string free_type_name(const Layout& layout) {
-  for (char letter = 'b'; letter <= 'z'; ++letter) {
-    if (!layout.types.contains(std::string(1, letter))) return std::string(1, letter);
-  }
-  int n = 1;
-  while (layout.types.contains(fmt::format("a{}", n))) ++n;
-  return fmt::format("a{}", n);
-}
-
-void require_same_units(const Layout& layout, const Layout& other, const std::string& source) {
-  const auto same = [](const Units::Unit& a, const Units::Unit& b) { return a.si_factor == b.si_factor; };
-  const Units &a = layout.units, &b = other.units;
-  const bool equal =
-      a.lattice == b.lattice &&
-      (a.lattice || (same(a.length, b.length) && same(a.time, b.time) && same(a.mass, b.mass)));
-  if (!equal)
-    throw InputError(source,
-                     "the units of this layout differ from the units of the layout into which its swimmer "
-                     "type is mixed; make both layouts with the same --units");
-}
 
 /// Gives the chosen swimmers the type of the first swimmer in the layout file `path`, and removes driving
 /// that was set for these swimmers individually. Removes types that no swimmer uses any more. Throws
@@ -50,6 +29,7 @@ void mix_in(Layout& layout, const std::vector<std::size_t>& chosen_swimmers, con
   for (const std::size_t s : chosen_swimmers) {
     layout.swimmers[s].type = name;
     layout.swimmers[s].driving.reset();
+    layout.swimmers[s].start.reset();
   }
   std::erase_if(layout.types, [&](const auto& type) {
     return std::ranges::none_of(layout.swimmers, [&](const Swimmer& s) { return s.type == type.first; });
@@ -80,11 +60,8 @@ class Defects {
     CLI::App* const kind = command_.add_subcommand(name, help);
     begin_group(*kind, "Options");
     add_layout_files(*kind, files_);
-    kind->add_option("--seed", seed_,
-                     "Seed of the random numbers, a whole number from 0; equal seeds give equal changes")
-        ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
-        ->type_name("N")
-        ->capture_default_str();
+    add_value(*kind, "--seed", seed_, {"N", whole_number(0, std::numeric_limits<std::int64_t>::max())},
+              "Seed of the random numbers, a whole number from 0; equal seeds give equal changes");
     kind->add_flag("--repair", repair_,
                    "Move swimmers that overlap apart, to gaps of 1/20 of the smallest bead radius. Without "
                    "this flag, an overlap is an error.");
@@ -99,24 +76,17 @@ class Defects {
   /// Adds the flags --fraction and --count. `things`: what the flags count, and `otherwise`: the default,
   /// both for the help.
   void add_amount_flags(CLI::App& kind, const std::string& things, const std::string& otherwise) {
-    auto* const fraction =
-        kind.add_option(
-                "--fraction", fraction_,
-                fmt::format("Number of {}, as a fraction of the total number in the layout, from 0 to 1",
-                            things))
-            ->type_name("F")
-            ->check(number_between(0, 1));
-    kind.add_option("--count", count_, fmt::format("Number of {}", things))
-        ->type_name("N")
-        ->default_str(otherwise)
-        ->check(whole_number(0, 10000000))
+    auto* const fraction = add_value(
+        kind, "--fraction", fraction_, {"F", number_between(0, 1)},
+        fmt::format("Number of {}, as a fraction of the total number in the layout, from 0 to 1", things));
+    add_value(kind, "--count", count_, {"N", whole_number(0, 10000000), otherwise}, "Number of " + things)
         ->excludes(fraction);
   }
 
   void add_sigma(CLI::App& kind, const std::string& help,
                  const CLI::Validator& values = number_between(0, 1e6)) {
     const auto store = [this](const std::string& text) { sigma_ = parse_angle(text); };
-    kind.add_option_function<std::string>("--sigma", store, help)->type_name("S")->check(values);
+    add_value(kind, "--sigma", store, {"S", values}, help);
   }
 
   void add_random(CLI::App& kind, const std::string& help) {
@@ -196,10 +166,9 @@ void Defects::add_places() {
                            "Divides the box into domains around random points. The swimmers nearest to one "
                            "point get the same random direction.",
                            [this](Layout& layout) { add_domains(layout, *count_, seed_); });
-  regions.add_option("--count", count_, "Number of domains, each with its own direction")
-      ->required()
-      ->check(whole_number(1, 10000))
-      ->type_name("N");
+  add_value(regions, "--count", count_, {"N", whole_number(1, 10000)},
+            "Number of domains, each with its own direction")
+      ->required();
 }
 
 void Defects::add_drivings() {
@@ -235,18 +204,12 @@ void Defects::add_spacing() {
                  const LayerSpacing spacing{.axis = axis_[0] - 'x', .sigma = *sigma_, .whole = whole_};
                  space_layers(layout, spacing, amount_or_all(), seed_);
                });
-  layers.add_option("--axis", axis_, "Axis perpendicular to the layers")
-      ->required()
-      ->check(one_of({"x", "y", "z"}))
-      ->type_name("x|y|z");
+  add_value(layers, "--axis", axis_, {"x|y|z", one_of({"x", "y", "z"})}, "Axis perpendicular to the layers")
+      ->required();
   add_sigma(layers, "Standard deviation of the random change of a gap [length]");
-  layers
-      .add_option("--whole", whole_,
-                  "Length to whose multiples the changes of gaps are rounded, for example the edge of a "
-                  "lattice cell [length]")
-      ->type_name("L")
-      ->default_str("none")
-      ->check(finite_positive());
+  add_value(layers, "--whole", whole_, {"L", finite_positive(), "none"},
+            "Length to whose multiples the changes of gaps are rounded, for example the edge of a lattice "
+            "cell [length]");
   add_amount_flags(layers, "gaps to change", "all");
 }
 
@@ -257,9 +220,8 @@ void Defects::add_mixture() {
       [this](Layout& layout) {
         mix_in(layout, draw_swimmer_indices(layout, share_or_count(), seed_), other_);
       });
-  mixture.add_option("--with", other_, "Layout file whose first swimmer has the new type")
-      ->required()
-      ->type_name("FILE");
+  add_value(mixture, "--with", other_, {"FILE"}, "Layout file whose first swimmer has the new type")
+      ->required();
   add_amount_flags(mixture, "swimmers to change", needed);
 }
 

@@ -6,13 +6,13 @@
 
 #include "beadswim/core/temporary_file.hpp"
 #include "beadswim/scene/check.hpp"
-#include "beadswim/tools/program.hpp"
+#include "beadswim/tools/named_flags.hpp"
+#include "made_layout.hpp"
 
 namespace beadswim {
 CLI::Option* add_layout_files(CLI::App& command, std::vector<std::string>& files) {
-  return command.add_option("layout", files, "Layout files (JSON, JSON Lines); - is standard input.")
-      ->type_name("FILE")
-      ->default_str("-");
+  return add_value(command, "layout", files, {.name = "FILE", .initial = "-"},
+                   "Layout files (JSON, JSON Lines); - is standard input.");
 }
 
 void filter_layouts(const std::vector<std::string>& files, const CLI::App& program, FilterOutput output,
@@ -26,15 +26,24 @@ void filter_layouts(const std::vector<std::string>& files, const CLI::App& progr
     const Json json = layout_to_json(layout);
     append(text, is_lines ? dump_json_line(json) : dump_json(json));
   };
-  while (const auto member = stream.next()) change(*member, layout_of(*member), emit);
+  while (const auto member = stream.next()) {
+    LayoutDocument document = layout_of(*member);
+    document.made_by = {};  // would not describe the changed layout
+    change(*member, std::move(document), emit);
+  }
   std::int64_t written = 0;
   for (std::string part; !(part = read_bytes(text, written, 1 << 16)).empty(); written += std::ssize(part))
     write_text("-", part);
 }
 
+void write_layout(LayoutDocument document, const CLI::App& program, std::string (*dump)(const Json&)) {
+  document.provenance.push_back(provenance_record(program));
+  write_text("-", dump(layout_to_json(document)));
+}
+
 void write_made_layout(const Layout& layout, const CLI::App& program, std::string (*dump)(const Json&)) {
   require_sound(layout, "the flags");
-  write_text("-", dump(layout_to_json({.layout = layout, .provenance = {provenance_record(program)}})));
+  write_layout({.layout = layout, .made_by = made_by_record(program)}, program, dump);
 }
 
 void require_sound(const Layout& layout, const std::string& source, const std::string& remedy) {

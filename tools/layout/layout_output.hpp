@@ -23,8 +23,10 @@ void filter_layouts(const std::vector<std::string>& files, const CLI::App& progr
                     const std::function<void(const StreamMember& member, LayoutDocument layout,
                                              const std::function<void(LayoutDocument)>& emit)>& change);
 
-/// Writes a layout that flags describe, with this program in its provenance, in the form that `dump` gives
-/// it. Throws the error of require_sound().
+/// Writes a layout, with this program in its provenance, in the form that `dump` gives it.
+void write_layout(LayoutDocument document, const CLI::App& program, std::string (*dump)(const Json&));
+
+/// Writes a layout that flags describe. Throws the error of require_sound().
 void write_made_layout(const Layout& layout, const CLI::App& program,
                        std::string (*dump)(const Json&) = dump_json);
 

@@ -3,7 +3,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/reduce.hpp"
-#include "beadswim/tools/program.hpp"
+#include "beadswim/tools/named_flags.hpp"
 #include "commands.hpp"
 #include "layout_output.hpp"
 #include "swimmer_flags.hpp"
@@ -48,8 +48,7 @@ void put_in_box(Layout& layout, const std::string& lengths) {
         "and has no walls; leave the flag out");
   Swimmer& swimmer = layout.swimmers.front();
   layout.domain.box = Box{.lengths = parse_vector(lengths)};
-  swimmer.position =
-      centred_position(layout.resolved_type(swimmer), swimmer.orientation(), layout.domain.box);
+  swimmer.move_to(centred_position(layout.resolved_type(swimmer), swimmer.orientation(), layout.domain.box));
   require_sound(layout, "the flags");
 }
 
@@ -72,21 +71,12 @@ Command add_reduce_command(CLI::App& program) {
       "swarm, or puts a single swimmer in another box.");
   add_layout_files(*command, flags->files);
   CLI::Option* tolerance =
-      command
-          ->add_option(
-              "--tolerance", flags->tolerance,
-              "Largest accepted distance of a swimmer from its position in the repeated box, 0 to 0.5 "
-              "[smallest bead radius]")
-          ->type_name("E")
-          ->check(number_between(0, 0.5))
-          ->capture_default_str();
-  command
-      ->add_option("--box", flags->box,
-                   "Edge lengths of a periodic box that replaces the box of a single swimmer, which is moved "
-                   "to its centre [length]")
-      ->type_name("X,Y,Z")
-      ->check(number_list({3}, finite_positive()))
-      ->default_str("none")
+      add_value(*command, "--tolerance", flags->tolerance, {"E", number_between(0, 0.5)},
+                "Largest accepted distance of a swimmer from its position in the repeated box, 0 to 0.5 "
+                "[smallest bead radius]");
+  add_value(*command, "--box", flags->box, {"X,Y,Z", number_list({3}, finite_positive()), "none"},
+            "Edge lengths of a periodic box that replaces the box of a single swimmer, which is moved to its "
+            "centre [length]")
       ->excludes(tolerance);
   set_footer(*command,
              {"beadswim-layout swarm --preset paper-uniform | beadswim-layout reduce >cell.json",

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <concepts>
 
 #include "beadswim/core/error.hpp"
@@ -15,101 +16,83 @@
 namespace beadswim {
 namespace {
 
-/// Add a flag whose value is a number, with a default that is the present value or that `initial` describes.
-template <class Number>
-void add_number(CLI::App& command, const std::string& flag, Number& value, const CLI::Validator& allowed,
-                const std::string& type_name, const std::string& help) {
-  command.add_option(flag, value, help)->type_name(type_name)->check(allowed)->capture_default_str();
-}
-void add_number(CLI::App& command, const std::string& flag, std::optional<double>& value,
-                const CLI::Validator& allowed, const std::string& type_name, const std::string& help,
-                const std::string& initial) {
-  command.add_option(flag, value, help)->type_name(type_name)->check(allowed)->default_str(initial);
-}
-
-/// Adds a flag whose text `take` converts and stores.
-void add_text(CLI::App& command, const std::string& flag, const std::function<void(const std::string&)>& take,
-              const CLI::Validator& allowed, const std::string& type_name, const std::string& help,
-              const std::string& initial) {
-  command.add_option_function(flag, take, help)->type_name(type_name)->check(allowed)->default_str(initial);
-}
-
-/// Adds a flag whose value is a list of numbers joined by commas. counts: allowed numbers of numbers.
-void add_list(CLI::App& command, const std::string& flag, std::vector<double>& values,
-              const std::vector<std::size_t>& counts, const CLI::Validator& allowed,
-              const std::string& type_name, const std::string& help, const std::string& initial) {
+/// Adds a flag whose value is a list of numbers joined by commas.
+void add_list(CLI::App& command, const std::string& flag, std::vector<double>& values, const FlagValue& value,
+              const std::string& help) {
   const auto take = [&values](const std::string& text) { values = parse_numbers(text); };
-  add_text(command, flag, take, number_list(counts, allowed), type_name, help, initial);
+  add_value(command, flag, take, value, help);
 }
 
 void add_angle(CLI::App& command, const std::string& flag, double& radians, const std::string& help,
                const std::string& initial) {
   const auto take = [&radians](const std::string& text) { radians = parse_angle(text); };
-  add_text(command, flag, take, angle(), "ALPHA", help, initial);
+  add_value(command, flag, take, {"ALPHA", angle(), initial}, help);
 }
 
 void add_direction(CLI::App& command, Vec3& direction) {
   const auto take = [&direction](const std::string& text) {
     direction = parse_vector(text).stableNormalized();
   };
-  add_text(command, "--direction", take, number_list({3}, finite()), "X,Y,Z",
-           "Direction of the force in the box, a vector of any length",
-           fmt::format("{:g},{:g},{:g}", direction[0], direction[1], direction[2]));
+  add_value(command, "--direction", take,
+            {"X,Y,Z", number_list({3}, finite()),
+             fmt::format("{:g},{:g},{:g}", direction[0], direction[1], direction[2])},
+            "Direction of the force in the box, a vector of any length");
 }
 
 void add_chain(CLI::App& command, int& beads, int fewest, const std::string& counted,
                std::optional<double>& arm) {
   begin_group(command, "Beads");
-  add_number(command, counted, beads, whole_number(fewest, max_beads), "N",
-             counted == "--beads" ? "Number of beads" : "Number of beads of a link, both hinges included");
+  add_value(command, counted, beads, {"N", whole_number(fewest, max_beads)},
+            counted == "--beads" ? "Number of beads" : "Number of beads of a link, both hinges included");
   begin_group(command, "Springs");
-  add_number(command, "--arm", arm, finite_positive(), "L", "Distance of neighbouring beads at rest [length]",
-             "2.5 R");
+  add_value(command, "--arm", arm, {"L", finite_positive(), "2.5 R"},
+            "Distance of neighbouring beads at rest [length]");
 }
 
 void add_angular_stiffness(CLI::App& command, std::optional<double>& angular_stiffness,
                            const std::string& initial) {
   begin_group(command, "Springs");
-  add_number(command, "--angular-stiffness", angular_stiffness, finite_positive(), "KA",
-             "Stiffness K_A of the angular springs with energy K_A (theta - rest)^2/2 [mass length^2/time^2]",
-             initial);
+  add_value(command, "--angular-stiffness", angular_stiffness, {"KA", finite_positive(), initial},
+            "Stiffness K_A of the angular springs with energy K_A (theta - rest)^2/2 [mass length^2/time^2]");
 }
 
 void add_radius(CLI::App& command, GallerySwimmer& swimmer, std::size_t beads) {
   begin_group(command, "Beads");
   const std::string each = beads == 2 ? "R|R1,R2" : beads == 3 ? "R|R1,R2,R3" : "R";
-  add_list(command, "--radius", swimmer.radius,
-           beads == 1 ? std::vector<std::size_t>{1} : std::vector{1, beads}, finite_positive(), each,
-           beads == 1 ? "Radius of the beads [length]"
-                      : "Radius of the beads: one value for all, or one per bead [length]",
-           "4");
+  add_list(
+      command, "--radius", swimmer.radius,
+      {each, number_list(beads == 1 ? std::vector<std::size_t>{1} : std::vector{1, beads}, finite_positive()),
+       "4"},
+      beads == 1 ? "Radius of the beads [length]"
+                 : "Radius of the beads: one value for all, or one per bead [length]");
 }
 
 /// Begins the group of flags of the driving, with a title that states its law.
 void begin_driving(CLI::App& command, const std::string& law, GallerySwimmer& swimmer) {
   begin_group(command, "Driving: " + law);
-  add_number(command, "--period", swimmer.period, finite_positive(), "T", "Period T [time]");
+  add_value(command, "--period", swimmer.period, {"T", finite_positive()}, "Period T [time]");
 }
 
 void add_arm(CLI::App& command, std::optional<double>& arm) {
   begin_group(command, "Springs");
-  add_number(command, "--arm", arm, finite_positive(), "L", "Rest length of the bonds [length]", "5 R");
+  add_value(command, "--arm", arm, {"L", finite_positive(), "5 R"}, "Rest length of the bonds [length]");
 }
 
 void add_flags(CLI::App& command, Dumbbell& dumbbell) {
   add_radius(command, dumbbell, 2);
   add_arm(command, dumbbell.arm);
   begin_driving(command, "rest length L + A sin(2 pi t/T)", dumbbell);
-  add_number(command, "--amplitude", dumbbell.amplitude, finite_non_negative(), "A",
-             "Amplitude A of the rest length [length]", "L/5");
+  add_value(command, "--amplitude", dumbbell.amplitude, {"A", finite_non_negative(), "L/5"},
+            "Amplitude A of the rest length [length]");
 }
 
 void add_flags(CLI::App& command, Triangle& triangle) {
   add_radius(command, triangle, 3);
   add_arm(command, triangle.arm);
   begin_driving(command, "rest length L + A sin(2 pi t/T - (k - 1) alpha) of side k", triangle);
-  add_list(command, "--amplitude", triangle.amplitude, {1, 3}, finite_non_negative(), "A|A1,A2,A3",
-           "Amplitudes of the rest lengths [length]", "L/5");
+  add_list(command, "--amplitude", triangle.amplitude,
+           {"A|A1,A2,A3", number_list({1, 3}, finite_non_negative()), "L/5"},
+           "Amplitudes of the rest lengths [length]");
   add_angle(command, "--phase", triangle.phase,
             "Phase alpha by which a side is behind the previous one, as 1.5 or 90deg [rad]", "120deg");
 }
@@ -117,12 +100,13 @@ void add_flags(CLI::App& command, Triangle& triangle) {
 void add_flags(CLI::App& command, PrescribedThreeBead& swimmer) {
   add_radius(command, swimmer, 3);
   begin_group(command, "Springs");
-  add_list(command, "--arm", swimmer.arm, {1, 2}, finite_positive(), "L|L1,L2",
-           "Mean lengths of the arms [length]", "5 R");
+  add_list(command, "--arm", swimmer.arm, {"L|L1,L2", number_list({1, 2}, finite_positive()), "5 R"},
+           "Mean lengths of the arms [length]");
   add_angular_stiffness(command, swimmer.angular_stiffness, "10 k L^2");
   begin_driving(command, "arms L1 + A1 sin(2 pi t/T + alpha), L2 + A2 sin(2 pi t/T)", swimmer);
-  add_list(command, "--amplitude", swimmer.amplitude, {1, 2}, finite_non_negative(), "A|A1,A2",
-           "Amplitudes A1 and A2 of the arms [length]", "L/5");
+  add_list(command, "--amplitude", swimmer.amplitude,
+           {"A|A1,A2", number_list({1, 2}, finite_non_negative()), "L/5"},
+           "Amplitudes A1 and A2 of the arms [length]");
   add_angle(command, "--phase", swimmer.phase,
             "Phase alpha by which arm 1 is ahead of arm 2, as 1.5 or 90deg [rad]", "90deg");
 }
@@ -146,15 +130,16 @@ void add_flags(CLI::App& command, Flagellum& flagellum) {
   add_chain(command, flagellum.beads, 3, "--beads", flagellum.arm);
   add_radius(command, flagellum, 1);
   begin_group(command, "Springs");
-  add_number(command, "--sperm-number", flagellum.sperm_number, finite_positive(), "S",
-             "Sperm number of the flagellum: its length, divided by the distance that bending travels in a "
-             "period [1]");
+  add_value(command, "--sperm-number", flagellum.sperm_number, {"S", finite_positive()},
+            "Sperm number of the flagellum: its length, divided by the distance that bending travels in a "
+            "period [1]");
   add_angular_stiffness(command, flagellum.angular_stiffness, "that of the sperm number");
   command.get_option("--angular-stiffness")->excludes("--sperm-number");
   begin_driving(command, "forces A sin(2 pi t/T) along y on the last bead and the opposite on its neighbour",
                 flagellum);
-  add_number(command, "--amplitude", flagellum.amplitude, finite_non_negative(), "A",
-             "Amplitude A of the forces [mass length/time^2]", "S K_A/(2 x length), for S < 2 times (S/2)^3");
+  add_value(command, "--amplitude", flagellum.amplitude,
+            {"A", finite_non_negative(), "S K_A/(2 x length), for S < 2 times (S/2)^3"},
+            "Amplitude A of the forces [mass length/time^2]");
   add_choice(
       command, "--frame", flagellum.frame,
       "Direction of the forces: y of the box (lab), of the swimmer at time 0 (initial-axis), or of the "
@@ -164,10 +149,10 @@ void add_flags(CLI::App& command, Flagellum& flagellum) {
 void add_flags(CLI::App& command, TowedSphere& sphere) {
   add_radius(command, sphere, 1);
   begin_driving(command, "force F + A sin(2 pi t/T)", sphere);
-  add_number(command, "--force", sphere.force, finite(), "F", "Constant force F [mass length/time^2]",
-             "6 pi eta R^2/T");
-  add_number(command, "--amplitude", sphere.amplitude, finite_non_negative(), "A",
-             "Amplitude A of the oscillating force [mass length/time^2]");
+  add_value(command, "--force", sphere.force, {"F", finite(), "6 pi eta R^2/T"},
+            "Constant force F [mass length/time^2]");
+  add_value(command, "--amplitude", sphere.amplitude, {"A", finite_non_negative()},
+            "Amplitude A of the oscillating force [mass length/time^2]");
   add_direction(command, sphere.direction);
 }
 
@@ -176,24 +161,25 @@ void add_flags(CLI::App& command, TowedChain& chain) {
   add_radius(command, chain, 1);
   add_angular_stiffness(command, chain.angular_stiffness, "1000 gamma omega L^2, L: length of the chain");
   begin_driving(command, "constant force F on each bead", chain);
-  add_number(command, "--force", chain.force, finite(), "F", "Force F on each bead [mass length/time^2]",
-             "6 pi eta R^2/T");
+  add_value(command, "--force", chain.force, {"F", finite(), "6 pi eta R^2/T"},
+            "Force F on each bead [mass length/time^2]");
   add_direction(command, chain.direction);
 }
 
 void add_common_flags(CLI::App& command, GallerySwimmer& swimmer) {
   begin_group(command, "Beads");
-  add_number(command, "--bead-density", swimmer.bead_density, finite_positive(), "RHO",
-             "Mass density of the beads [mass/length^3]", "the fluid's");
+  add_value(command, "--bead-density", swimmer.bead_density, {"RHO", finite_positive(), "the fluid's"},
+            "Mass density of the beads [mass/length^3]");
 }
 
 void add_bond_flags(CLI::App& command, BondedSwimmer& swimmer) {
   begin_group(command, "Springs");
-  add_number(command, "--stiffness", swimmer.stiffness, finite_positive(), "K",
-             "Stiffness k of the bonds [mass/time^2]",
-             "1000 gamma omega with gamma = 6 pi eta R, omega = 2 pi/T; of a flagellum at least 100 A/L");
-  add_number(command, "--damping", swimmer.damping, finite_non_negative(), "C",
-             "Damping c of the dashpots parallel to the bonds [mass/time]");
+  add_value(command, "--stiffness", swimmer.stiffness,
+            {"K", finite_positive(),
+             "1000 gamma omega with gamma = 6 pi eta R, omega = 2 pi/T; of a flagellum at least 100 A/L"},
+            "Stiffness k of the bonds [mass/time^2]");
+  add_value(command, "--damping", swimmer.damping, {"C", finite_non_negative()},
+            "Damping c of the dashpots parallel to the bonds [mass/time]");
 }
 
 /// Throws InputError if the layout has other units than "lattice" and a flag lacks whose default has a unit.
@@ -246,18 +232,20 @@ void add_kind(CLI::App& shape, Kinds& kinds, const std::string& name, const std:
   set_footer(command, commands, "shapes.md#" + name);
 }
 
-void write_shapes(const Kinds& kinds, const CLI::App& program) {
-  for (const auto& kind : kinds) {
-    if (!kind->command->parsed()) continue;
-    Layout layout;
-    layout.units = kind->fluid.units();
-    require_own_numbers(*kind->command, layout.units);
-    layout.fluid = {.density = 1, .kinematic_viscosity = 1.0 / 3};
-    kind->fluid.apply(layout.fluid);
-    layout.types[kind->command->get_name()] = kind->type(layout.fluid);
-    kind->place->apply(layout);
-    write_made_layout(layout, program, kind->json_lines ? dump_json_line : dump_json);
-  }
+/// Returns the kind of the command line.
+const Kind& chosen(const Kinds& kinds) {
+  return **std::ranges::find_if(kinds, [](const auto& kind) { return kind->command->parsed(); });
+}
+
+Layout layout_of(const Kind& kind) {
+  Layout layout;
+  layout.units = kind.fluid.units();
+  require_own_numbers(*kind.command, layout.units);
+  layout.fluid = {.density = 1, .kinematic_viscosity = 1.0 / 3};
+  kind.fluid.apply(layout.fluid);
+  layout.types[kind.command->get_name()] = kind.type(layout.fluid);
+  kind.place->apply(layout);
+  return layout;
 }
 
 }  // namespace
@@ -292,7 +280,13 @@ Command add_shape_command(CLI::App& program) {
              {"beadswim-layout shape triangle >triangle.json",
               "beadswim-layout shape flagellum --beads 12 | beadswim-layout check"},
              "shapes.md");
-  return {&shape, [kinds, &program] { write_shapes(*kinds, program); }};
+  return {.flags = &shape,
+          .run =
+              [kinds, &program] {
+                const Kind& kind = chosen(*kinds);
+                write_made_layout(layout_of(kind), program, kind.json_lines ? dump_json_line : dump_json);
+              },
+          .make = [kinds] { return layout_of(chosen(*kinds)); }};
 }
 
 }  // namespace beadswim

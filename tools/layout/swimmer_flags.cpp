@@ -11,16 +11,26 @@
 #include "beadswim/tools/named_flags.hpp"
 
 namespace beadswim {
-namespace {
-
-Units::Unit unit_named(Quantity quantity, const std::string& name) {
+const Units::Unit& unit_named(Quantity quantity, const std::string& name, const std::string& flag) {
   if (const Units::Unit* unit = find_known_unit(quantity, name)) return *unit;
   std::vector<std::string> names;
   for (const Units::Unit& unit : known_units(quantity)) names.push_back(unit.name);
-  throw InputError("--units", format_unknown_name(name, names));
+  throw InputError(flag, format_unknown_name(name, names));
 }
 
-}  // namespace
+Units parse_units(const std::string& text, const std::string& flag) {
+  if (text.empty() || text == "lattice") return {};
+  const std::vector<std::string> names = split_at_commas(text);
+  if (names.size() != 3) {
+    throw InputError(flag, fmt::format("\"{}\": the value must be \"lattice\", or the names of the "
+                                       "units of length, time and mass, such as um,s,pg",
+                                       text));
+  }
+  return {.lattice = false,
+          .length = unit_named(Quantity::length, names[0], flag),
+          .time = unit_named(Quantity::time, names[1], flag),
+          .mass = unit_named(Quantity::mass, names[2], flag)};
+}
 
 Vec3 parse_vector(const std::string& text) {
   const std::vector<double> numbers = parse_numbers(text);
@@ -51,20 +61,15 @@ void QuantityFlags::add(CLI::App& command, const NamedQuantity& quantity, const 
     if (is_angle) warn_of_turns(text);
     values_[quantity.name] = is_angle ? Json(parse_angle(text)) : Json(parse_numbers(text));
   };
-  command.add_option_function<std::string>(flag, take, quantity.help)
-      ->type_name(quantity.symbols)
-      ->check(quantity.count == 1 ? each : number_list({1, quantity.count}, each))
-      ->default_str(initial);
+  const CLI::Validator all = quantity.count == 1 ? each : number_list({1, quantity.count}, each);
+  add_value(command, flag, take, {quantity.symbols, all, initial}, quantity.help);
 }
 
 void QuantityFlags::add_units(CLI::App& command) {
   begin_group(command, "Fluid and box");
-  command
-      .add_option("--units", units_,
-                  "Units of the layout: lattice, or units of length (m to nm), time (s to ns) and mass (kg "
-                  "to fg), such as um,s,pg; a preset is converted to them")
-      ->type_name("lattice|LENGTH,TIME,MASS")
-      ->default_str("lattice");
+  add_value(command, "--units", units_, {.name = "lattice|LENGTH,TIME,MASS", .initial = "lattice"},
+            "Units of the layout: lattice, or units of length (m to nm), time (s to ns) and mass (kg to fg), "
+            "such as um,s,pg; a preset is converted to them");
 }
 
 void QuantityFlags::apply(Fluid& fluid) const {
@@ -73,36 +78,16 @@ void QuantityFlags::apply(Fluid& fluid) const {
   fluid = parameters.fluid;
 }
 
-Units QuantityFlags::units() const {
-  if (units_.empty() || units_ == "lattice") return {};
-  const std::vector<std::string> names = split_at_commas(units_);
-  if (names.size() != 3) {
-    throw InputError("--units", fmt::format("\"{}\": the value must be \"lattice\", or the names of the "
-                                            "units of length, time and mass, such as um,s,pg",
-                                            units_));
-  }
-  return {.lattice = false,
-          .length = unit_named(Quantity::length, names[0]),
-          .time = unit_named(Quantity::time, names[1]),
-          .mass = unit_named(Quantity::mass, names[2])};
-}
-
 PlaceFlags::PlaceFlags(CLI::App& command, const std::string& origin, const std::string& axis,
                        const std::string& default_boundary) {
   begin_group(command, "Fluid and box");
-  auto* const box =
-      command
-          .add_option("--box", box_,
-                      "Edge lengths of the box of fluid, one corner of which is the origin [length]")
-          ->type_name("X,Y,Z")
-          ->check(number_list({3}, finite_positive()));
-  auto* const boundary = command
-                             .add_option("--boundary", boundary_,
-                                         "Boundary conditions of the box, one value for all axes or one per "
-                                         "axis: periodic, free-slip or no-slip")
-                             ->type_name("B|BX,BY,BZ")
-                             ->check(number_list({1, 3}, one_of(all_names<Boundary>())))
-                             ->default_str(default_boundary);
+  auto* const box = add_value(command, "--box", box_, {"X,Y,Z", number_list({3}, finite_positive())},
+                              "Edge lengths of the box of fluid, one corner of which is the origin [length]");
+  auto* const boundary =
+      add_value(command, "--boundary", boundary_,
+                {"B|BX,BY,BZ", number_list({1, 3}, one_of(all_names<Boundary>())), default_boundary},
+                "Boundary conditions of the box, one value for all axes or one per axis: periodic, free-slip "
+                "or no-slip");
   auto* const unbounded =
       command
           .add_flag("--unbounded", unbounded_,
@@ -110,35 +95,23 @@ PlaceFlags::PlaceFlags(CLI::App& command, const std::string& origin, const std::
                     "the lattice.")
           ->excludes(box)
           ->excludes(boundary);
-  command
-      .add_option("--half-space", half_space_,
-                  "Use fluid over a plane no-slip wall instead of a box, where this coordinate is above 0. "
-                  "Only theory and mobility models can treat it, not the lattice. Needs --position.")
-      ->type_name("x|y|z")
-      ->check(one_of({"x", "y", "z"}))
+  add_value(command, "--half-space", half_space_, {"x|y|z", one_of({"x", "y", "z"})},
+            "Use fluid over a plane no-slip wall instead of a box, where this coordinate is above 0. Only "
+            "theory and mobility models can treat it, not the lattice. Needs --position.")
       ->excludes(box)
       ->excludes(boundary)
       ->excludes(unbounded);
   begin_group(command, "Placement");
-  command
-      .add_option("--position", position_,
-                  "Position of " + origin + "; write negative values as --position=-1,0,0 [length]")
-      ->type_name("X,Y,Z")
-      ->check(number_list({3}, finite()))
-      ->default_str("the swimmer at the centre of the box");
-  command.add_option("--axis", axis_, "Direction " + axis + ", a vector of any length")
-      ->type_name("X,Y,Z")
-      ->check(number_list({3}, finite()))
-      ->default_str("1,0,0");
+  add_value(command, "--position", position_,
+            {"X,Y,Z", number_list({3}, finite()), "the swimmer at the centre of the box"},
+            "Position of " + origin + "; write negative values as --position=-1,0,0 [length]");
+  add_value(command, "--axis", axis_, {"X,Y,Z", number_list({3}, finite()), "1,0,0"},
+            "Direction " + axis + ", a vector of any length");
 }
 
 void PlaceFlags::add_orientation(CLI::App& command) {
-  command
-      .add_option("--orientation", orientation_,
-                  "Rotation from the frame of the type to the box, instead of --axis: a quaternion of any "
-                  "length")
-      ->type_name("W,X,Y,Z")
-      ->check(number_list({4}, finite()))
+  add_value(command, "--orientation", orientation_, {"W,X,Y,Z", number_list({4}, finite())},
+            "Rotation from the frame of the type to the box, instead of --axis: a quaternion of any length")
       ->excludes("--axis");
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "beadswim/scene/layout.hpp"
+#include "beadswim/scene/units.hpp"
 #include "beadswim/study/named_quantity.hpp"
 
 namespace beadswim {
@@ -12,6 +13,12 @@ namespace beadswim {
 /// Converts a flag's value to a vector. The value is three numbers joined by commas, or one number for all
 /// components.
 Vec3 parse_vector(const std::string& text);
+
+/// Returns the known unit with this name. Throws InputError if there is none.
+const Units::Unit& unit_named(Quantity quantity, const std::string& name, const std::string& flag);
+
+/// Parses "lattice" or the names of the units of length, time and mass: "um,s,pg".
+Units parse_units(const std::string& text, const std::string& flag);
 
 /// Flags of named quantities (study/named_quantity.hpp), and of the units of the layout.
 class QuantityFlags {
@@ -23,7 +30,7 @@ class QuantityFlags {
 
   const QuantityValues& values() const { return values_; }  ///< contains only the flags that are given
   void apply(Fluid& fluid) const;
-  Units units() const;
+  Units units() const { return parse_units(units_, "--units"); }
 
  private:
   QuantityValues values_;

@@ -54,7 +54,7 @@ class SwimmerFlags {
   /// Adds the flags to the command. `preset_help`: description of the presets, for the help.
   SwimmerFlags(CLI::App& command, std::vector<Preset> presets, const std::string& preset_help)
       : presets_(std::move(presets)) {
-    command.add_option("--preset", preset_, preset_help)->type_name("NAME")->default_str("none");
+    add_value(command, "--preset", preset_, {.name = "NAME", .initial = "none"}, preset_help);
     add_absent_flag(
         command, "--beads,--bead-count,--num-beads,--number-of-beads",
         "no such flag: a swimmer has three beads and two arms; --radius, --bead-density and --arm "
@@ -153,12 +153,12 @@ struct OneSwimmerFlags {
   bool json_lines = false;
 };
 
-void write_swimmer(const OneSwimmerFlags& flags, const CLI::App& program) {
+Layout layout_of(const OneSwimmerFlags& flags) {
   std::vector<std::string> other_missing_flags;
   if (!flags.place.defines_domain()) other_missing_flags = {"--box, --unbounded or --half-space"};
   Layout layout = flags.swimmer.layout(other_missing_flags);
   flags.place.apply(layout);
-  write_made_layout(layout, program, flags.json_lines ? dump_json_line : dump_json);
+  return layout;
 }
 
 constexpr double max_swimmers = 1e6;
@@ -199,7 +199,7 @@ SwarmPlan plan_of(const SwarmFlags& flags) {
   return plan;
 }
 
-void write_swarm(const SwarmFlags& flags, const CLI::App& program) {
+Layout layout_of(const SwarmFlags& flags) {
   std::vector<std::string> other_missing_flags;
   if (flags.core_gap.empty()) other_missing_flags.emplace_back("--core-gap");
   if (flags.block_gap.empty()) other_missing_flags.emplace_back("--block-gap");
@@ -208,7 +208,7 @@ void write_swarm(const SwarmFlags& flags, const CLI::App& program) {
   const SwimmerType& type = layout.types.at("a");
   layout.domain.box = swarm_box(swarm, type);
   layout.swimmers = swarm_swimmers(swarm, type, "a");
-  write_made_layout(layout, program);
+  return layout;
 }
 
 }  // namespace
@@ -228,7 +228,12 @@ Command add_swimmer_command(CLI::App& program) {
        "beadswim-layout swimmer --radius 2 --arm 10 --stiffness 0.03 --amplitude 0.1 --period 4000 \\\n"
        "--viscosity 0.3 --unbounded >open.json"},
       "formats/layout.md");
-  return {command, [flags, &program] { write_swimmer(*flags, program); }};
+  return {.flags = command,
+          .run =
+              [flags, &program] {
+                write_made_layout(layout_of(*flags), program, flags->json_lines ? dump_json_line : dump_json);
+              },
+          .make = [flags] { return layout_of(*flags); }};
 }
 
 Command add_swarm_command(CLI::App& program) {
@@ -238,33 +243,26 @@ Command add_swarm_command(CLI::App& program) {
       "figure 4 of Pickl et al. 2017.");
   const auto flags = std::make_shared<SwarmFlags>(*command);
   begin_group(*command, "Blocks");
-  command
-      ->add_option("--block-swimmers", flags->block_swimmers, "Number of swimmers in one block along x, y, z")
-      ->type_name("NX,NY,NZ")
-      ->check(number_list({3}, whole_positive()))
-      ->default_str("1,3,3");
-  command->add_option("--blocks", flags->blocks, "Number of blocks along x, y, z")
-      ->type_name("BX,BY,BZ")
-      ->check(number_list({3}, whole_positive()))
-      ->default_str("1,1,1");
-  command
-      ->add_option("--core-gap", flags->core_gap,
-                   "Distance between neighbouring swimmers of one block: along x between the centres of "
-                   "their facing end beads, along y and z between their axes [length]")
-      ->type_name("C|CX,CY,CZ")
-      ->check(number_list({1, 3}, finite_positive()));
-  command
-      ->add_option("--block-gap", flags->block_gap,
-                   "Distance between neighbouring swimmers of adjacent blocks, also across the periodic "
-                   "boundary; measured as for --core-gap [length]")
-      ->type_name("D|DX,DY,DZ")
-      ->check(number_list({1, 3}, finite_positive()));
+  const CLI::Validator counts = number_list({3}, whole_positive());
+  const CLI::Validator gaps = number_list({1, 3}, finite_positive());
+  add_value(*command, "--block-swimmers", flags->block_swimmers, {"NX,NY,NZ", counts, "1,3,3"},
+            "Number of swimmers in one block along x, y, z");
+  add_value(*command, "--blocks", flags->blocks, {"BX,BY,BZ", counts, "1,1,1"},
+            "Number of blocks along x, y, z");
+  add_value(*command, "--core-gap", flags->core_gap, {"C|CX,CY,CZ", gaps},
+            "Distance between neighbouring swimmers of one block: along x between the centres of their "
+            "facing end beads, along y and z between their axes [length]");
+  add_value(*command, "--block-gap", flags->block_gap, {"D|DX,DY,DZ", gaps},
+            "Distance between neighbouring swimmers of adjacent blocks, also across the periodic boundary; "
+            "measured as for --core-gap [length]");
   set_footer(
       *command,
       {"beadswim-layout swarm --preset paper-uniform --block-swimmers 1,2,2 --blocks 2,1,1 >swarm.json",
        "beadswim-layout swarm --preset paper-defect | beadswim-layout check"},
       "swarms.md");
-  return {command, [flags, &program] { write_swarm(*flags, program); }};
+  return {.flags = command,
+          .run = [flags, &program] { write_made_layout(layout_of(*flags), program); },
+          .make = [flags] { return layout_of(*flags); }};
 }
 
 }  // namespace beadswim

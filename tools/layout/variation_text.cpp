@@ -4,9 +4,11 @@
 
 #include <charconv>
 #include <cmath>
+#include <set>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/tools/program.hpp"
+#include "made_layout.hpp"
 
 namespace beadswim {
 namespace {
@@ -66,17 +68,40 @@ std::vector<Json> list(const std::string& text, const std::string& all) {
   return values;
 }
 
+/// Returns the name of a quantity, or of a flag of a command that makes layouts.
+std::string parameter_name(const std::string& text, const std::string& flag) {
+  static const std::set<std::string> parameters = parameter_names();
+  const std::string name = text.starts_with("--") ? text.substr(2) : text;
+  return parameters.contains(name) ? name : quantity_name(text, flag);
+}
+
 }  // namespace
 
-Variation parse_variation(const std::string& text) {
+CoupledVariation parse_variation(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
     refuse(text, "write NAME=FROM:TO:COUNT, NAME=FROM:TO:COUNT:log or NAME=VALUE,VALUE,...");
-  Variation variation{.name = quantity_name(text.substr(0, equals), over), .values = {}};
+  std::vector<std::pair<std::string, double>> names;
+  for (const std::string& name : split_at_commas(text.substr(0, equals))) {
+    const bool is_opposite = name.size() > 1 && name[0] == '-' && name[1] != '-';
+    names.emplace_back(parameter_name(is_opposite ? name.substr(1) : name, over), is_opposite ? -1 : 1);
+  }
+  if (names.front().second < 0)
+    refuse(text, "the first name has no minus sign; it has the values themselves");
   const std::string values = text.substr(equals + 1);
   const std::vector<std::string> parts = split_at(':', values);
-  variation.values = parts.size() > 1 ? range(parts, text) : list(values, text);
-  return variation;
+  return {.first = {.name = names.front().first,
+                    .values = parts.size() > 1 ? range(parts, text) : list(values, text)},
+          .others = {names.begin() + 1, names.end()}};
+}
+
+KeptRelation parse_relation(const std::string& text) {
+  const std::size_t sign = text.find_first_of("+*");
+  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
+    throw InputError("--keep", fmt::format("\"{}\": write A+B or A*B, with two names as in --over", text));
+  return {.first = parameter_name(text.substr(0, sign), "--keep"),
+          .second = parameter_name(text.substr(sign + 1), "--keep"),
+          .is_product = text[sign] == '*'};
 }
 
 void require_equal_counts(const std::vector<Variation>& variations) {

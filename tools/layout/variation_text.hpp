@@ -4,9 +4,25 @@
 
 namespace beadswim {
 
-/// Parses NAME=FROM:TO:COUNT, NAME=FROM:TO:COUNT:log or NAME=VALUE,VALUE,... Throws InputError with the
-/// nearest name if NAME names no quantity.
-Variation parse_variation(const std::string& text);
+/// A variation, and quantities that follow it with the same value (sign 1) or the opposite one (sign -1).
+struct CoupledVariation {
+  Variation first;
+  std::vector<std::pair<std::string, double>> others{};
+};
+
+/// Parses NAMES=FROM:TO:COUNT, NAMES=FROM:TO:COUNT:log or NAMES=VALUE,VALUE,... with one name or several,
+/// joined by commas, those of opposite value after a minus sign. Throws InputError with the nearest name if
+/// one names no quantity.
+CoupledVariation parse_variation(const std::string& text);
+
+/// Two quantities whose sum or product stays the same: when one of them varies, the other follows.
+struct KeptRelation {
+  std::string first, second;
+  bool is_product = false;
+};
+
+/// Parses A+B or A*B.
+KeptRelation parse_relation(const std::string& text);
 
 /// Throws InputError if the variations, which change together, have different numbers of values.
 void require_equal_counts(const std::vector<Variation>& variations);

@@ -30,11 +30,6 @@ struct Flags {
   EvaluatorSettings evaluator;
 };
 
-/// Default of --evaluations, for the number of free values.
-int default_evaluations(int dimensions) {
-  return dimensions == 1 ? 100 : 200 * dimensions;
-}
-
 std::vector<std::string> mobility_models() {
   std::vector<std::string> names;
   for (const auto& [model, name] : name_table<RunModel>)
@@ -53,8 +48,7 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
   auto program =
       make_program(program_name,
                    "Searches for the values of a few quantities of a layout with which its swimmer swims "
-                   "fastest, most efficiently or with least power. Writes the layout with these "
-                   "values.");
+                   "fastest, most efficiently or with least power. Writes the layout with these values.");
   program->add_option("layout", flags.files, "Layout files (JSON, JSON Lines); - is standard input.")
       ->type_name("FILE")
       ->default_str("-");
@@ -135,8 +129,7 @@ Problem problem_of(const Flags& flags) {
 
 void require_compatible(const Flags& flags) {
   if (is_model(flags.method))
-    throw InputError("--method",
-                     fmt::format("{} is a model of beadswim-run; use --model or --verify-by", flags.method));
+    throw InputError("--method", "{} is a model of beadswim-run; use --model or --verify-by", flags.method);
   if (flags.evaluator.cycles && flags.model.empty() && !is_model(flags.verify_by))
     throw InputError("--cycles", "is for models only; leave it out, or name a model");
 }
@@ -150,10 +143,9 @@ void require_trace(const Flags& flags) {
   std::error_code ignored;
   const bool is_other = fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
   if (flags.trace == "-" || is_other || access(folder.c_str(), W_OK) != 0)
-    throw InputError("--trace",
-                     fmt::format("\"{}\" cannot be written; name a file in a folder that exists and "
-                                 "that you may write to",
-                                 flags.trace));
+    throw InputError(
+        "--trace", "\"{}\" cannot be written; name a file in a folder that exists and that you may write to",
+        flags.trace);
 }
 
 /// Initialises MPI, which models need. Throws InputError on more than one rank.
@@ -179,7 +171,7 @@ Optimisation optimisation_of(Flags& flags, const OpenFile& trace) {
       .by = flags.model.empty() ? evaluator(flags.method, Setting::method)
                                 : evaluator(flags.model, Setting::model),
       .search = {.num_inequalities = problem.num_inequalities(),
-                 .evaluations = flags.evaluations.value_or(default_evaluations(dimensions)),
+                 .evaluations = flags.evaluations.value_or(dimensions == 1 ? 100 : 200 * dimensions),
                  .seed = static_cast<unsigned long>(flags.seed)},
       .message =
           [](const std::string& text) { print_to_stderr(fmt::format("{}: {}\n", program_name, text)); },

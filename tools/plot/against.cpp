@@ -29,7 +29,7 @@ inline constexpr auto name_table<LogAxes> = std::to_array<NamedValue<LogAxes>>(
 namespace {
 
 struct AgainstFlags {
-  std::string x, group_by;
+  std::string x, x_label, group_by;
   std::string y = "velocity";            ///< a result; for a map a quantity of the study
   std::optional<ResultQuantity> colour;  ///< result that a map shows
   LogAxes log = LogAxes::none;
@@ -41,7 +41,7 @@ Panel empty_panel(const AgainstFlags& flags, const Units& units, const AxisLabel
   const auto scale = [&](LogAxes axis) {
     return flags.log == axis || flags.log == LogAxes::xy ? ScaleKind::logarithmic : ScaleKind::linear;
   };
-  return {.x_label = axis_label({.study = flags.x}, units),
+  return {.x_label = flags.x_label.empty() ? axis_label({.study = flags.x}, units) : AxisLabel{flags.x_label},
           .y_label = y_label,
           .x_scale = scale(LogAxes::x),
           .y_scale = scale(LogAxes::y)};
@@ -66,10 +66,13 @@ Figure against_figure(const PlotInputs& inputs, ResultQuantity quantity, const A
   }
   append(drawn, numbers, panel);
   std::vector<Note> notes{reading_note(inputs)};
+  if (flags.group_by == by_type && !inputs.runs.empty())
+    notes.front() = {.text = "Marks are means over the swimmers of a type in a run."};
   if (std::ranges::any_of(panel.series, has_errors))
     notes.push_back({.text = "Bars and bands: uncertainties that runs and predictions state."});
   if (has_omitted_values(panel)) notes.push_back({.text = "Lines break where values are not positive."});
-  const std::string title = capitalised(fmt::format("{} against {}", panel.y_label.quantity, flags.x));
+  const std::string title =
+      capitalised(fmt::format("{} against {}", panel.y_label.quantity, panel.x_label.quantity));
   return {.title = title, .panels = {std::move(panel)}, .notes = notes};
 }
 
@@ -149,11 +152,13 @@ Figure map_figure(const PlotInputs& inputs, const AgainstFlags& flags) {
   if (map.empty()) map.emplace_back();  // a panel, whose drawing says that there is no value
   const auto [quantity, unit] = result_label(*flags.colour, inputs.units);
   const std::string by = inputs.runs.empty() ? inputs.methods.front() : inputs.runs.front().record.model;
-  Figure figure{.title = capitalised(fmt::format("{} against {} and {}", quantity, flags.x, flags.y)),
+  const AxisLabel y_label = axis_label({.study = flags.y}, inputs.units);
+  const std::string x_name = empty_panel(flags, inputs.units, y_label).x_label.quantity;
+  Figure figure{.title = capitalised(fmt::format("{} against {} and {}", quantity, x_name, y_label.quantity)),
                 .panels = {},
                 .notes = {{.text = fmt::format("Each rectangle is one layout of the study, by {}.", by)}}};
   for (std::size_t i = 0; i < map.size(); ++i) {
-    Panel panel = empty_panel(flags, inputs.units, axis_label({.study = flags.y}, inputs.units));
+    Panel panel = empty_panel(flags, inputs.units, y_label);
     const std::string symbol = arm_symbol(*flags.colour, i);
     panel.value_label = {symbol.empty() ? quantity : symbol, unit};
     panel.cells = cells_of(map[i], panel);
@@ -182,24 +187,19 @@ Figure drawn_figure(const PlotFiles& files, const AgainstFlags& flags) {
 
 DrawFigure add_against_flags(CLI::App& command) {
   const auto flags = std::make_shared<AgainstFlags>();
-  command
-      .add_option("--x", flags->x,
-                  "Quantity of the study on the horizontal axis, as beadswim-layout vary names it")
-      ->type_name("NAME")
+  add_value(command, "--x", flags->x, {"NAME"},
+            "Quantity of the study on the horizontal axis, as beadswim-layout vary names it")
       ->required();
-  command
-      .add_option("--y", flags->y,
-                  "Result, from the list below, on the vertical axis; with --colour a second quantity of the "
-                  "study, for a map")
-      ->type_name("NAME")
-      ->capture_default_str();
+  add_value(command, "--y", flags->y, {"NAME"},
+            "Result, from the list below, on the vertical axis; with --colour a second quantity of the "
+            "study, for a map");
   add_choice(command, "--colour", flags->colour, "Result, from the list below, that a map shows by colours")
       ->type_name("NAME");
-  command
-      .add_option("--group-by", flags->group_by,
-                  "Quantity of the study for whose values separate curves and marks are drawn")
-      ->type_name("NAME")
-      ->default_str("none");
+  add_value(command, "--x-label", flags->x_label,
+            {.name = "TEXT", .initial = "name and unit of the quantity"}, "Label of the horizontal axis");
+  add_value(command, "--group-by", flags->group_by, {.name = "NAME|swimmer|type", .initial = "none"},
+            "Quantity of the study for whose values separate curves and marks are drawn; or swimmer, for "
+            "each id; or type, for means over its swimmers");
   add_choice(command, "--log", flags->log, "Logarithmic axes");
   add_result_flags(command, flags->choice);
   command.footer("Results:\n" + wrapped(joined(all_names<ResultQuantity>(), ", "), 2) + "\n");

@@ -9,7 +9,6 @@
 #include "beadswim/core/error.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
-#include "result_series.hpp"
 
 // Figures of velocity and stroke against the driving, the separation of the beads or the cycle.
 
@@ -77,23 +76,6 @@ Figure velocity_figure(const PlotInputs& inputs, AbscissaKind abscissa, const Ve
                                by_period ? "driving period" : "separation of the beads"),
           .panels = {std::move(panel)},
           .notes = notes};
-}
-
-DrawFigure add_velocity_flags(CLI::App& command, AbscissaKind abscissa) {
-  const auto flags = std::make_shared<VelocityFlags>();
-  add_result_flags(command, flags->choice);
-  command
-      .add_option("--relative-to", flags->choice.relative_to,
-                  "Theory method with which each velocity is compared: the figure shows the relative "
-                  "difference from its prediction at the same period or separation [%]")
-      ->type_name("METHOD")
-      ->default_str("none");
-  add_choice(command, "--axes", flags->axes,
-             std::string("Axes; auto is ") + (abscissa == AbscissaKind::period ? "log-y" : "log-log") +
-                 " where velocities are positive and span over two decades, else linear");
-  return [flags, abscissa](const PlotFiles& files) {
-    return draw(velocity_figure(read_plot_inputs(files.inputs, flags->choice), abscissa, *flags));
-  };
 }
 
 // --- Stroke: arm amplitudes, and the sine of the phase shift, sin(δ₁ - δ₂)
@@ -186,12 +168,18 @@ Figure stroke_figure(const PlotInputs& inputs, const StrokeFlags& flags) {
 
 }  // namespace
 
-DrawFigure add_period_flags(CLI::App& command) {
-  return add_velocity_flags(command, AbscissaKind::period);
-}
-
-DrawFigure add_separation_flags(CLI::App& command) {
-  return add_velocity_flags(command, AbscissaKind::separation_ratio);
+DrawFigure add_velocity_flags(CLI::App& command, AbscissaKind abscissa) {
+  const auto flags = std::make_shared<VelocityFlags>();
+  add_result_flags(command, flags->choice);
+  add_value(command, "--relative-to", flags->choice.relative_to, {.name = "METHOD", .initial = "none"},
+            "Theory method with which each velocity is compared: the figure shows the relative difference "
+            "from its prediction at the same period or separation [%]");
+  add_choice(command, "--axes", flags->axes,
+             std::string("Axes; auto is ") + (abscissa == AbscissaKind::period ? "log-y" : "log-log") +
+                 " where velocities are positive and span over two decades, else linear");
+  return [flags, abscissa](const PlotFiles& files) {
+    return draw(velocity_figure(read_plot_inputs(files.inputs, flags->choice), abscissa, *flags));
+  };
 }
 
 DrawFigure add_stroke_flags(CLI::App& command) {
@@ -205,10 +193,8 @@ DrawFigure add_stroke_flags(CLI::App& command) {
              if (word != "cycle")
                flags->against = word == "phase" ? AbscissaKind::phase : AbscissaKind::amplitude_ratio;
            });
-  add_whole_numbers(command, "--bonds", flags->bonds, number_list({}, whole_positive()),
-                    "Numbers of the bonds whose arm amplitudes are drawn, from 1")
-      ->type_name("N,...")
-      ->default_str("all");
+  add_whole_numbers(command, "--bonds", flags->bonds, {"N,...", number_list({}, whole_positive()), "all"},
+                    "Numbers of the bonds whose arm amplitudes are drawn, from 1");
   return [flags](const PlotFiles& files) {
     InputChoice choice = flags->choice;
     if (!flags->against) choice.cycle = {};  // all cycles are drawn

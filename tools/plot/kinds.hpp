@@ -6,7 +6,7 @@
 
 #include "beadswim/figure/drawing.hpp"
 #include "beadswim/tools/named_flags.hpp"
-#include "plot_inputs.hpp"
+#include "result_series.hpp"
 
 // Kinds of figures, and the flags that several kinds share. Each kind is a command of the program.
 
@@ -25,11 +25,11 @@ using DrawFigure = std::function<Drawing(const PlotFiles&)>;
 // Add the flags of a kind, and return the function that draws.
 DrawFigure add_against_flags(CLI::App& command);
 DrawFigure add_stroke_flags(CLI::App& command);
-DrawFigure add_period_flags(CLI::App& command);
-DrawFigure add_separation_flags(CLI::App& command);
+DrawFigure add_velocity_flags(CLI::App& command, AbscissaKind abscissa);
 DrawFigure add_speed_flags(CLI::App& command);
 DrawFigure add_trajectory_flags(CLI::App& command);
 DrawFigure add_swarm_flags(CLI::App& command);
+DrawFigure add_flow_flags(CLI::App& command);
 DrawFigure add_swimmer_flags(CLI::App& command);
 DrawFigure add_product_flags(CLI::App& command);
 
@@ -40,11 +40,12 @@ void add_result_flags(CLI::App& command, InputChoice& choice);
 /// Ids of swimmers, or numbers of frames.
 CLI::Validator id_or_frame_number();
 
-/// Adds a flag whose value is a list of whole numbers, joined by commas. `check`: number_list() of them.
-CLI::Option* add_whole_numbers(CLI::App& command, const std::string& flag, std::vector<int>& numbers,
-                               const CLI::Validator& check, const std::string& help);
+/// Adds a flag whose value is a list of whole numbers, joined by commas, as number_list() accepts it.
+void add_whole_numbers(CLI::App& command, const std::string& flag, std::vector<int>& numbers,
+                       const FlagValue& value, const std::string& help);
 
 /// Adds the flag --swimmers, which lists ids of swimmers.
-CLI::Option* add_swimmers(CLI::App& command, std::vector<int>& ids, const std::string& help);
+void add_swimmers(CLI::App& command, std::vector<int>& ids, const std::string& name,
+                  const std::string& initial, const std::string& help);
 
 }  // namespace beadswim

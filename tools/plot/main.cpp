@@ -8,7 +8,7 @@
 #include "beadswim/tools/program.hpp"
 #include "kinds.hpp"
 
-// beadswim-plot: figures of run records, predictions, verdicts, trajectories and layouts.
+// beadswim-plot: figures of run records, predictions, verdicts, trajectories, flow fields and layouts.
 
 namespace {
 
@@ -39,7 +39,7 @@ constexpr std::array kinds{
     PlotKind{"velocity-against-period",
              "Draws the velocity along the swimmer's axis, minus mean flow, against the driving period.",
              records_and_predictions,
-             add_period_flags,
+             [](CLI::App& command) { return add_velocity_flags(command, AbscissaKind::period); },
              {"beadswim-plot velocity-against-period study.jsonl -o velocity.svg",
               "beadswim-plot velocity-against-period study.jsonl --method all --axes linear -o methods.svg"}},
     PlotKind{
@@ -54,7 +54,7 @@ constexpr std::array kinds{
     PlotKind{"separation",
              "Draws the velocity along the axis, minus mean flow, against arm length over bead radius.",
              records_and_predictions,
-             add_separation_flags,
+             [](CLI::App& command) { return add_velocity_flags(command, AbscissaKind::separation_ratio); },
              {"for L in 15 20 30; do \\\n"
               "beadswim-layout swimmer --preset paper-single --unbounded --arm $L --jsonl; done | \\\n"
               "beadswim-theory --jsonl >arms.jsonl",
@@ -79,6 +79,12 @@ constexpr std::array kinds{
              add_swarm_flags,
              {"beadswim-plot swarm swarm.json --block-swimmers 1,2,2 -o swarm.svg",
               "beadswim-plot swarm run.h5md --frame 0 --repeat 1,2,2 -o frame.svg"}},
+    PlotKind{"flow",
+             "Draws the flow in a plane: streamlines or arrows on a map of the speed or of a component.",
+             "Flow file of beadswim-run (.vti), or trajectory file (.h5md), for the last flow of its run.",
+             add_flow_flags,
+             {"beadswim-plot flow run.h5md --plane xz -o flow.svg",
+              "beadswim-plot flow run.h5md.flow/000004800.vti --quantity ux --style arrows -o flow.png"}},
     PlotKind{"swimmer",
              "Draws a labelled sketch of one three-bead swimmer of a layout.",
              "Layout file (JSON); - is standard input.",
@@ -101,33 +107,25 @@ void require_figure_path(const std::string& path) {
 
 void require_data_path(const PlotFiles& files) {
   if (files.data.empty()) return;
-  if (!files.data.ends_with(".csv") && files.data != "-")
-    throw InputError("--data", fmt::format("the file name \"{}\" does not end in .csv; give a name with this "
-                                           "ending, or - for standard output",
-                                           files.data));
+  require_csv_path(files.data, "--data");
   if (files.data == files.output)
     throw InputError("--data", "figure and data have the same file name; name two files");
 }
 
 int run(int argc, const char* const* argv) {
-  const auto program = make_program(
-      "beadswim-plot",
-      "Draws run records, predictions, verdicts, trajectories and layouts as a figure: SVG, PNG or PDF.");
+  const auto program = make_program("beadswim-plot",
+                                    "Draws run records, predictions, verdicts, trajectories, flow fields and "
+                                    "layouts as a figure: SVG, PNG or PDF.");
   program->require_subcommand(1);
   PlotFiles files;
   std::vector<std::pair<CLI::App*, DrawFigure>> commands;
   for (const PlotKind& kind : kinds) {
     CLI::App* command = program->add_subcommand(kind.name, kind.description);
-    command->add_option("FILES", files.inputs, kind.inputs)->type_name("FILE...")->default_str("");
-    command
-        ->add_option("-o,--output", files.output,
-                     "Figure to write: .svg, .png, .pdf, or - for SVG on standard output")
-        ->type_name("FILE");
-    command
-        ->add_option("--data", files.data,
-                     "File to write with the numbers drawn, as comma-separated values with names and units")
-        ->type_name("FILE.csv")
-        ->default_str("none");
+    add_value(*command, "FILES", files.inputs, {"FILE..."}, kind.inputs)->default_str("");
+    add_value(*command, "-o,--output", files.output, {"FILE"},
+              "Figure to write: .svg, .png, .pdf, or - for SVG on standard output");
+    add_value(*command, "--data", files.data, {.name = "FILE.csv", .initial = "none"},
+              "File to write with the numbers drawn, as comma-separated values with names and units");
     commands.emplace_back(command, kind.add_flags(*command));
     const std::string of_kind = command->get_footer();
     set_footer(*command, {kind.examples.begin(), kind.examples.end()}, "figures.md");

@@ -11,7 +11,6 @@
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/io/document_stream.hpp"
-#include "beadswim/scene/units.hpp"
 
 namespace beadswim {
 namespace {
@@ -127,7 +126,7 @@ void append(RunRecord run, const std::string& source, const CycleChoice& cycle, 
 
 void require_same_units(const Units& units, const std::string& source, const Units& first,
                         const std::string& first_source) {
-  if (same_units(units, first)) return;
+  if (units == first) return;
   throw InputError(source, fmt::format("the units of this file differ from the units of {}; all files of a "
                                        "figure must have the same units",
                                        first_source));

@@ -14,6 +14,7 @@
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/scene/units.hpp"
 #include "plot_labels.hpp"
+#include "variable_label.hpp"
 
 namespace beadswim {
 namespace {
@@ -103,6 +104,15 @@ std::string run_label(const PlotInputs& inputs, const PlottedRun& run) {
   return fmt::format("{} {}", run.record.model, std::filesystem::path(run.source).filename().string());
 }
 
+/// Returns the name of a swimmer's type. Throws InputError if the scene is unknown.
+std::string type_of(const std::optional<Layout>& scene, int id, const std::string& source) {
+  if (!scene)
+    throw InputError(source,
+                     "the document does not state the types of the swimmers, as it has no scene; "
+                     "leave it out, or use another value of --group-by");
+  return std::ranges::find(scene->swimmers, id, &Swimmer::id)->type;
+}
+
 /// Returns a point for each swimmer of a run in each cycle. Uncertainties belong to the last one.
 ResultSeries series_by_cycle(const PlotInputs& inputs, const PlottedRun& run) {
   ResultSeries series{run_label(inputs, run)};
@@ -150,11 +160,9 @@ AxisLabel axis_label(const Abscissa& abscissa, const Units& units) {
   constexpr std::array labels{"period T", "separation of neighbouring beads over their radius, l/λ",
                               "ratio of the driving amplitudes, A/B", "phase of the driving, α"};
   const bool is_study = abscissa.kind == AbscissaKind::study;
-  const std::string name = is_study ? abscissa.study : to_text(abscissa.kind);
-  const std::string label = is_study ? name : labels[static_cast<std::size_t>(abscissa.kind)];
-  if (name == "period") return {label, time_unit(units)};
-  if (name == "radius" || name == "arm") return {label, length_unit(units)};
-  return {label, name == "phase" ? "rad" : ""};
+  if (is_study) return variable_label(abscissa.study, units);
+  return {labels[static_cast<std::size_t>(abscissa.kind)],
+          variable_label(to_text(abscissa.kind), units).unit};
 }
 
 AxisLabel result_label(ResultQuantity quantity, const Units& units) {
@@ -185,12 +193,16 @@ double abscissa_of(const PlottedPrediction& plotted, const Abscissa& abscissa) {
 DrawnResults results_against(const PlotInputs& inputs, const Abscissa& abscissa, const CycleChoice& cycle,
                              const std::string& group_by) {
   const int digits = study_digits(inputs, group_by);
-  const auto add = [&](std::string label, const Json& study, ResultPoint point,
+  const std::string group_name = variable_label(group_by, inputs.units).quantity;
+  const auto group_of = [&](const Json& study, const std::optional<Layout>& scene, int swimmer,
+                            const std::string& source) {
+    if (group_by == by_swimmer) return fmt::format("{}", swimmer);
+    if (group_by == by_type) return type_of(scene, swimmer, source);
+    return study_value_text(study_value(study, group_by, source, "--group-by"), digits);
+  };
+  const auto add = [&](std::string label, const std::string& group, ResultPoint point,
                        std::vector<ResultSeries>& all) {
-    if (!group_by.empty())
-      label +=
-          fmt::format(", {} = {}", group_by,
-                      study_value_text(study_value(study, group_by, point.source, "--group-by"), digits));
+    if (!group_by.empty()) label += fmt::format(", {} = {}", group_name, group);
     auto found = std::ranges::find(all, label, &ResultSeries::label);
     if (found == all.end()) found = all.insert(found, ResultSeries{label});
     found->points.push_back(std::move(point));
@@ -203,10 +215,22 @@ DrawnResults results_against(const PlotInputs& inputs, const Abscissa& abscissa,
     for (std::size_t r = 0; r < settings.size(); ++r) {
       const PlottedRun& run = inputs.runs[r];
       if (settings[r] != *setting) continue;
-      for (const SwimmerRecord& swimmer : run.record.swimmers)
-        add(*setting, run.study(),
-            {abscissa_of(run, swimmer, abscissa, cycle), results_of(run.record, swimmer, cycle, run.source),
-             true, run.source},
+      std::map<std::string, std::vector<Results>> of_types;
+      for (const SwimmerRecord& swimmer : run.record.swimmers) {
+        const Results results = results_of(run.record, swimmer, cycle, run.source);
+        const std::string group =
+            group_by.empty() ? "" : group_of(run.study(), run.record.scene, swimmer.id, run.source);
+        if (group_by == by_type) {
+          of_types[group].push_back(results);
+        } else {
+          add(*setting, group, {abscissa_of(run, swimmer, abscissa, cycle), results, true, run.source},
+              of_setting);
+        }
+      }
+      for (const auto& [type, results] : of_types)
+        add(*setting, type,
+            {abscissa_of(run, run.record.swimmers.front(), abscissa, cycle), mean_of(results), true,
+             run.source},
             of_setting);
     }
     std::ranges::move(of_setting, std::back_inserter(drawn.runs));
@@ -215,7 +239,10 @@ DrawnResults results_against(const PlotInputs& inputs, const Abscissa& abscissa,
     std::vector<ResultSeries> of_method;
     for (const PlottedPrediction& plotted : inputs.predictions)
       if (plotted.prediction().method == method)
-        add(method, plotted.document.study,
+        add(method,
+            group_by.empty() ? ""
+                             : group_of(plotted.document.study, plotted.document.scene,
+                                        plotted.document.swimmer, plotted.source),
             {abscissa_of(plotted, abscissa), plotted.results(), plotted.prediction().usable, plotted.source},
             of_method);
     for (ResultSeries& series : of_method) std::ranges::stable_sort(series.points, {}, &ResultPoint::x);

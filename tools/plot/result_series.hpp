@@ -68,8 +68,12 @@ struct DrawnResults {
   std::optional<std::pair<double, double>> level{};  ///< ends of the levels of predictions; nullopt: curves
 };
 
+/// Values of `group_by` below that are no quantities of a study.
+inline constexpr const char *by_swimmer = "swimmer", *by_type = "type";
+
 /// Returns series of runs of one setting, with means over the chosen cycles, and of predictions by one
-/// method. The values of the quantity `group_by` of the study, unless it is empty, have separate series. The
+/// method. The values of the quantity `group_by` of the study, unless it is empty, have separate series; so
+/// have the swimmers, by_swimmer, and their types, by_type, of which runs have one point: the mean. The
 /// separation ratio of a run is the smaller mean arm length, divided by the smallest bead radius. Throws
 /// InputError if an input lacks the abscissa or the quantity `group_by`.
 DrawnResults results_against(const PlotInputs& inputs, const Abscissa& abscissa, const CycleChoice& cycle,

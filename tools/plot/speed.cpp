@@ -9,7 +9,6 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/joined.hpp"
 #include "beadswim/documents/swimming_document.hpp"
-#include "beadswim/scene/units.hpp"
 #include "errors.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
@@ -118,7 +117,7 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
   }
   if (has_several_scenes && read.runs.empty())
     throw InputError(file, "with several references, each must be a run record, which states its scene");
-  if (!same_units(read.units, inputs.units))
+  if (read.units != inputs.units)
     throw InputError(
         file,
         fmt::format("the units of the reference differ from the units of {}; make both files from one layout",
@@ -281,14 +280,10 @@ Figure verdict_figure(const PlotFiles& files, const SpeedFlags& flags) {
 DrawFigure add_speed_flags(CLI::App& command) {
   const auto flags = std::make_shared<SpeedFlags>();
   add_result_flags(command, flags->choice);
-  command
-      .add_option(
-          "--reference", flags->references,
-          "Prediction or run record from which errors of runs are measured, or one run record per scene; "
-          "required if FILES are run records")
-      ->type_name("FILE,...")
-      ->delimiter(',')
-      ->default_str("none");
+  add_value(command, "--reference", flags->references, {.name = "FILE,...", .initial = "none"},
+            "Prediction or run record from which errors of runs are measured, or one run record per scene; "
+            "required if FILES are run records")
+      ->delimiter(',');
   add_word(command, "--quantity",
            {to_text(ResultQuantity::velocity), to_text(ResultQuantity::arm_amplitudes)}, "",
            "Quantity whose errors of run records are drawn",

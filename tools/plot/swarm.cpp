@@ -11,9 +11,11 @@
 #include "beadswim/scene/swarm.hpp"
 #include "beadswim/scene/swimmer_parameters.hpp"
 #include "beadswim/scene/units.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
+#include "swarm_values.hpp"
 
 // Pictures of a swarm, which is read from a layout or from one frame of a trajectory.
 
@@ -34,6 +36,7 @@ namespace {
 struct SwarmFlags {
   std::optional<std::size_t> frame{};  ///< counted from 0; no value: the last frame
   SwarmColours colours = SwarmColours::blocks;
+  std::optional<ResultQuantity> colour{};  ///< result that colours show; nullopt: `colours`
   /// Number of swimmers in a block along x, y, z; or one number, for blocks of swimmers with consecutive ids.
   std::vector<int> block_swimmers{1, 3, 3};
   std::vector<int> repeat{1, 1, 1};  ///< periodic copies along each axis
@@ -47,6 +50,7 @@ struct SwarmScene {
   bool is_layout = false;
   Layout layout{};
   std::vector<std::size_t> in_layout{};  ///< index in layout.swimmers of each swimmer of the picture
+  double time = 0;                       ///< of the frame
   Layer layers{};                        ///< number of layers of swimmers along x, y, z
   SwarmPicture picture{};  ///< without copies; the box of swimmers in open space is drawn around them
 };
@@ -61,6 +65,7 @@ void add_swimmers(const std::vector<Vec3>& centres, const std::vector<double>& r
     const SwimmerType& type = scene.layout.types.at(placed.type);
     PicturedSwimmer swimmer{.id = placed.id, .beads = {}, .layer = layers[index]};
     for (const Bond& bond : type.bonds) swimmer.bonds.push_back(bond.beads);
+    swimmer.axis = axis_of(type, std::span(centres).subspan(next, type.beads.size()), placed.orientation());
     for (const std::size_t end = next + type.beads.size(); next < end; ++next)
       swimmer.beads.push_back({.centre = centres[next], .radius = radii[next]});
     scene.picture.swimmers.push_back(std::move(swimmer));
@@ -76,6 +81,7 @@ void read_frame(const std::string& path, std::optional<std::size_t> wanted, Swar
                                             file.source, last));
   const TrajectoryFrame frame = file.reader.frame(number);
   scene.picture.title = fmt::format("Swarm after {}", cycles_text({frame.time / file.period()}));
+  scene.time = frame.time;
   scene.layout = file.layout;
   scene.in_layout = file.in_layout;
   add_swimmers(frame.positions, file.reader.header().radius, scene);
@@ -152,10 +158,13 @@ int colour_of(const SwarmScene& scene, const PicturedSwimmer& swimmer, std::size
   return 0;
 }
 
-/// Returns the swimmers of the swarm and of all its periodic copies.
+constexpr std::size_t max_heads = 4000;  // of more swimmers they would be too small to see
+
+/// Returns the swimmers of the swarm and of all its periodic copies; those of a large swarm have no heads.
 std::vector<PicturedSwimmer> copies_of(const SwarmScene& scene, const SwarmFlags& options) {
   std::vector<PicturedSwimmer> drawn;
   const int nx = options.repeat[0], ny = options.repeat[1], nz = options.repeat[2];
+  const bool has_heads = scene.picture.swimmers.size() * nx * ny * nz <= max_heads;
   for (int i = 0; i < nx * ny * nz; ++i) {
     const Triple copy{i / (ny * nz), i / nz % ny, i % nz};
     const Vec3 shift = Vec3(copy[0], copy[1], copy[2]).cwiseProduct(scene.picture.box);
@@ -164,6 +173,7 @@ std::vector<PicturedSwimmer> copies_of(const SwarmScene& scene, const SwarmFlags
       for (PicturedBead& bead : swimmer.beads) bead.centre += shift;
       for (int a = 0; a < 3; ++a) swimmer.layer[a] += copy[a] * scene.layers[a];
       swimmer.colour = colour_of(scene, swimmer, s, copy, options);
+      if (!has_heads) swimmer.axis.setZero();
       drawn.push_back(swimmer);
     }
   }
@@ -176,10 +186,8 @@ std::vector<PictureMark> marks(const SwarmScene& scene, const SwarmFlags& option
   for (const PicturedSwimmer& swimmer : scene.picture.swimmers) ids.push_back(swimmer.id);
   std::vector<PictureMark> marks;
   for (const auto& [name, id] : options.marks) {
-    const auto found = std::ranges::find(ids, id);
-    if (found == ids.end()) throw_unknown_swimmer("--mark", id, ids, scene.source);
-    marks.push_back(
-        {name, scene.picture.swimmers[static_cast<std::size_t>(found - ids.begin())].middle_bead()});
+    const std::size_t index = swimmer_with_id(id, ids, "--mark", scene.source);
+    marks.push_back({name, scene.picture.swimmers[index].middle_bead()});
   }
   return marks;
 }
@@ -257,9 +265,26 @@ std::vector<PictureDistance> distances(const SwarmScene& scene, const std::vecto
                    "periodic copies too, for example with --repeat 2,2,2");
 }
 
+/// Sets the values that colours show. `record`: file with the results; empty: the trajectory has them.
+void add_values(ResultQuantity quantity, const std::string& record, SwarmScene& scene) {
+  if (scene.is_layout)
+    throw InputError("--colour", fmt::format("{} is a layout, which has no results; give the trajectory of a "
+                                             "run",
+                                             scene.source));
+  std::vector<int> ids;
+  for (const PicturedSwimmer& swimmer : scene.picture.swimmers) ids.push_back(swimmer.id);
+  const auto values = last_values(quantity, scene.source, record, scene.time, ids);
+  for (std::size_t s = 0; s < ids.size(); ++s) scene.picture.swimmers[s].value = values[s];
+  scene.picture.value_label = result_label(quantity, scene.layout.units);
+}
+
 SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlags& options) {
-  const SwarmScene scene = read_swarm_scene(
-      only_file(files, "a swarm is drawn from one layout or one trajectory (.h5md)"), options.frame);
+  const bool has_record = options.colour && files.size() == 2;
+  SwarmScene scene = read_swarm_scene(
+      has_record ? files.front()
+                 : only_file(files, "a swarm is drawn from one layout or one trajectory (.h5md)"),
+      options.frame);
+  if (options.colour) add_values(*options.colour, has_record ? files.back() : "", scene);
   const Triple repeat{options.repeat[0], options.repeat[1], options.repeat[2]};
   require_repeatable(scene, repeat);
   SwarmPicture picture = scene.picture;
@@ -269,7 +294,9 @@ SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlag
   if (options.colours == SwarmColours::types)
     for (const auto& [name, type] : scene.layout.types) picture.keys.push_back(name);
   picture.notes = {{.text = scene_text(scene, repeat)},
-                   colours_note(options.colours, picture.swimmers),
+                   {.text = picture.swimmers.size() <= max_heads ? "Triangles are heads." : ""},
+                   options.colour ? Note{.text = "Colours: last cycle of each swimmer before this frame."}
+                                  : colours_note(options.colours, picture.swimmers),
                    types_note(scene.layout)};
   if (options.distances) picture.distances = distances(scene, picture.swimmers, options.block_swimmers);
   return picture;
@@ -297,25 +324,25 @@ std::pair<std::string, int> parse_mark(const std::string& text) {
 
 DrawFigure add_swarm_flags(CLI::App& command) {
   const auto options = std::make_shared<SwarmFlags>();
-  command
-      .add_option_function<std::string>(
-          "--frame", [options](const std::string& text) { options->frame = parse_frame(text); },
-          "Number of the trajectory frame to draw, counted from 0")
-      ->type_name("last|N")
-      ->default_str("last");
-  add_choice(command, "--colours", options->colours,
-             "Property that decides the colour of a swimmer: its block (--block-swimmers; adjacent blocks "
-             "differ), its id, or its type");
+  const auto take_frame = [options](const std::string& text) { options->frame = parse_frame(text); };
+  add_value(command, "--frame", take_frame, {.name = "last|N", .initial = "last"},
+            "Number of the trajectory frame to draw, counted from 0");
+  CLI::Option* colours = add_choice(
+      command, "--colours", options->colours,
+      "Property that decides the colour of a swimmer: its block (--block-swimmers; adjacent blocks "
+      "differ), its id, or its type");
+  add_choice(command, "--colour", options->colour,
+             "Result that colours show, of beadswim-plot against, in each swimmer's last cycle before the "
+             "frame; a record as second file adds results")
+      ->type_name("NAME")
+      ->excludes(colours);
   add_whole_numbers(command, "--block-swimmers", options->block_swimmers,
-                    number_list({1, 3}, whole_positive()),
+                    {"NX,NY,NZ|N", number_list({1, 3}, whole_positive()), "1,3,3"},
                     "Number of swimmers in a block: along x, y, z (by layers of the layout), or in total (by "
-                    "consecutive ids)")
-      ->type_name("NX,NY,NZ|N")
-      ->default_str("1,3,3");
-  add_whole_numbers(command, "--repeat", options->repeat, number_list({3}, whole_positive()),
-                    "Number of periodic copies of the box to draw along x, y, z, the box itself included")
-      ->type_name("NX,NY,NZ")
-      ->default_str("1,1,1");
+                    "consecutive ids)");
+  add_whole_numbers(command, "--repeat", options->repeat,
+                    {"NX,NY,NZ", number_list({3}, whole_positive()), "1,1,1"},
+                    "Number of periodic copies of the box to draw along x, y, z, the box itself included");
   command
       .add_option_function<std::vector<std::string>>(
           "--mark",

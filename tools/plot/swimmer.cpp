@@ -22,12 +22,9 @@ namespace {
 /// Returns the swimmer with this id, or the first swimmer if `id` is nullopt. Throws InputError if no swimmer
 /// has this id.
 const Swimmer& find_swimmer(const Layout& layout, std::optional<int> id, const std::string& source) {
-  if (!id) return layout.swimmers.front();
-  const auto found = std::ranges::find(layout.swimmers, *id, &Swimmer::id);
-  if (found != layout.swimmers.end()) return *found;
   std::vector<int> ids;
   for (const Swimmer& swimmer : layout.swimmers) ids.push_back(swimmer.id);
-  throw_unknown_swimmer("--swimmers", *id, ids, source);
+  return layout.swimmers[id ? swimmer_with_id(*id, ids, "--swimmers", source) : 0];
 }
 
 /// Returns the parameters of a swimmer. Throws InputError if it is not the paper's swimmer.
@@ -116,9 +113,7 @@ SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optiona
 
 DrawFigure add_swimmer_flags(CLI::App& command) {
   const auto ids = std::make_shared<std::vector<int>>();
-  add_swimmers(command, *ids, "Id of the swimmer to draw")
-      ->type_name("ID")
-      ->default_str("the layout's first");
+  add_swimmers(command, *ids, "ID", "the layout's first", "Id of the swimmer to draw");
   return [ids](const PlotFiles& files) {
     if (ids->size() > 1)
       throw InputError(

@@ -67,9 +67,7 @@ std::vector<Series> curves_of(const TrajectoryFile& file, bool several_files, co
   std::vector<std::size_t> swimmers, beads;  // indices in the trajectory, of each curve
   std::vector<Series> curves;
   for (const int id : flags.swimmers.empty() ? ids : flags.swimmers) {
-    const auto found = std::ranges::find(ids, id);
-    if (found == ids.end()) throw_unknown_swimmer("--swimmers", id, ids, file.source);
-    const auto swimmer = static_cast<std::size_t>(found - ids.begin());
+    const std::size_t swimmer = swimmer_with_id(id, ids, "--swimmers", file.source);
     const int num_beads = static_cast<int>(file.type(swimmer).beads.size());
     std::string label = fmt::format("swimmer {}", id);
     if (several_files) label = std::filesystem::path(file.source).stem().string() + ", " + label;
@@ -191,11 +189,10 @@ Figure trajectory_figure(const std::vector<std::string>& paths, const Trajectory
 
 DrawFigure add_trajectory_flags(CLI::App& command) {
   const auto options = std::make_shared<TrajectoryFlags>();
-  add_swimmers(command, options->swimmers, "Ids of the swimmers to draw")->default_str("all");
-  add_whole_numbers(command, "--beads", options->beads, number_list({}, whole_number(1, max_beads)),
-                    "Numbers of the beads of each swimmer to draw, from 1")
-      ->type_name("N,...")
-      ->default_str("the middle bead");
+  add_swimmers(command, options->swimmers, "ID,...", "all", "Ids of the swimmers to draw");
+  add_whole_numbers(command, "--beads", options->beads,
+                    {"N,...", number_list({}, whole_number(1, max_beads)), "the middle bead"},
+                    "Numbers of the beads of each swimmer to draw, from 1");
   add_word(command, "--along", {"x", "y", "z"}, "x", "Coordinate to draw, not wrapped into the box",
            [options](const std::string& word) { options->axis = word[0] - 'x'; });
   add_word(

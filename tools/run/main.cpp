@@ -1,8 +1,5 @@
-#include <fmt/core.h>
-
 #include <cstdio>
 #include <cstdlib>
-#include <optional>
 #include <variant>
 
 #include "beadswim/core/communicator.hpp"

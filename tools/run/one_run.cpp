@@ -62,10 +62,10 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
           .lattice_speed = [&communicator] { return speed_of_this_machine(print_message, communicator); }};
 }
 
-std::optional<StopRequest> stop_request(const RunOptions& options, double start) {
+std::optional<EarlyStop> stop_request(const RunOptions& options, double start) {
   if (const auto stop = stop_by_signal(stop_signal())) return stop;
   if (!options.time_limit || MPI_Wtime() - start <= *options.time_limit) return std::nullopt;
-  return StopRequest{
+  return EarlyStop{
       .status = RunStatus::stopped_time,
       .reason = fmt::format(
           "the time limit of {} s is reached; to complete the run, use a longer --time-limit or more ranks",
@@ -90,9 +90,7 @@ std::unique_ptr<ModelPlan> plan_of(RunTask& task, const RunOptions& options,
 RunRecord run_alone(RunTask task, const RunOptions& options, double start, const Communicator& communicator,
                     const Communicator& failures) {
   const std::unique_ptr<ModelPlan> plan = plan_of(task, options, communicator);
-  const long steps = plan->steps_in(plan->settings.cycles);
-  Progress progress(options.progress, plan->steps_done, steps, static_cast<double>(plan->steps_per_cycle),
-                    plan->updates_per_step);
+  Progress progress(options.progress, *plan);
   if (communicator.is_root()) announce(*plan, task, options);
   catch_stop_signals();
   const RunSinks sinks{.message = print_message,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -27,7 +26,7 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
 
 /// Returns the request to stop of the program, after a signal to this rank or the time limit. `start`:
 /// MPI_Wtime from which the time limit counts [s].
-std::optional<StopRequest> stop_request(const RunOptions& options, double start);
+std::optional<EarlyStop> stop_request(const RunOptions& options, double start);
 
 /// Returns the description of the run of a task, with its expected errors. If the model is auto, plans all
 /// possible runs before and gives the task the settings of the cheapest run whose expected error is at most

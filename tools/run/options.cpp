@@ -37,39 +37,37 @@ CLI::Validator validator_with_words(const SettingRow& row) {
   return CLI::Validator(fault, "");
 }
 
-// add_flag() adds the flag of one setting. `help` ends with the unit of the setting, if it has one.
-template <NamedEnum Enum>
-CLI::Option* add_flag(CLI::App& program, const SettingRow& row, const std::string& help, Enum& value) {
-  return add_choice(program, name_of(row.setting), value, help);
-}
-CLI::Option* add_flag(CLI::App& program, const SettingRow& row, const std::string& help, bool& is_on) {
-  return add_switch(program, name_of(row.setting), is_on, help);
-}
-CLI::Option* add_flag(CLI::App& program, const SettingRow& row, const std::string& help, int& value) {
-  return program.add_option(name_of(row.setting), value, help)->check(whole_validator(row));
-}
-CLI::Option* add_flag(CLI::App& program, const SettingRow& row, const std::string& help, double& value) {
-  return program.add_option(name_of(row.setting), value, help)->check(validator_of(row));
-}
-CLI::Option* add_flag(CLI::App& program, const SettingRow& row, const std::string& help,
-                      std::optional<double>& value) {
-  return program.add_option(name_of(row.setting), value, help)
-      ->check(validator_of(row))
-      ->default_str(std::string(row.unset));
-}
-CLI::Option* add_flag(CLI::App& program, const SettingRow& row, const std::string& help,
-                      std::optional<int>& value) {
-  if (row.word_of_zero.empty())
-    return program.add_option(name_of(row.setting), value, help)
-        ->check(whole_validator(row))
-        ->default_str(std::string(row.unset));
-  const auto take = [row, &value](const std::string& text) {
-    value = text == row.word_of_zero ? 0 : std::stoi(text == row.word_of_none ? "0" : text);
-    if (text == row.word_of_none) value.reset();
-  };
-  return program.add_option_function<std::string>(name_of(row.setting), take, help)
-      ->check(validator_with_words(row))
-      ->default_str(setting_text(row, value));
+template <class T>
+CLI::Option* add_flag(CLI::App& program, const SettingRow& row, T& value) {
+  const std::string name = name_of(row.setting),
+                    help(row.help);  // the help ends with the unit, if there is one
+  if constexpr (NamedEnum<T>) {
+    return add_choice(program, name, value, help);
+  } else if constexpr (std::same_as<T, bool>) {
+    return add_switch(program, name, value, help);
+  } else if constexpr (std::same_as<T, std::string>) {
+    const auto fault = [](const std::string& text) {
+      return text.empty() ? std::string("the value is empty; give one") : std::string();
+    };
+    return program.add_option(name, value, help)
+        ->check(CLI::Validator(fault, ""))
+        ->default_str(std::string(value.empty() ? row.unset : value));
+  } else {
+    if (!row.word_of_zero.empty()) {
+      const auto take = [row, &value](const std::string& text) {
+        value = text == row.word_of_zero ? 0 : std::stoi(text == row.word_of_none ? "0" : text);
+        if constexpr (is_optional<T>)
+          if (text == row.word_of_none) value.reset();
+      };
+      return program.add_option_function<std::string>(name, take, help)
+          ->check(validator_with_words(row))
+          ->default_str(setting_text(row, value));
+    }
+    constexpr bool is_whole = std::same_as<T, int> || std::same_as<T, std::optional<int>>;
+    CLI::Option* option =
+        program.add_option(name, value, help)->check(is_whole ? whole_validator(row) : validator_of(row));
+    return is_optional<T> ? option->default_str(std::string(row.unset)) : option;
+  }
 }
 
 /// Adds the flags of the settings of one group to the program: names, help, defaults and allowed values
@@ -78,7 +76,7 @@ void add_setting_flags(CLI::App& program, SettingGroup group, RunSettings& setti
   visit_fields(
       [&](const char*, auto& value, const SettingRow& row) {
         if (row.group != group) return;
-        CLI::Option* option = add_flag(program, row, std::string(row.help), value);
+        CLI::Option* option = add_flag(program, row, value);
         if (!row.value.empty()) option->type_name(std::string(row.value));
       },
       settings);
@@ -124,17 +122,17 @@ void add_stops(CLI::App& program, RunOptions& options) {
       ->type_name("FILE.h5md|FILE.h5md.ckpt.N")
       ->default_str("");
   add_positive(program, "--time-limit", "S", options.time_limit, "none",
-               "Wall time after which the run stops, writes its results and a checkpoint, and ends with "
-               "exit status 4. The signals SIGINT, SIGTERM and SIGUSR1 have the same effect [s]");
+               "Wall time after which the run stops, writes its results and a checkpoint, and ends with exit "
+               "status 4. The signals SIGINT, SIGTERM and SIGUSR1 have the same effect [s]");
 }
 
 void add_outputs(CLI::App& program, RunOptions& options) {
   begin_group(program, "Output");
   add_setting_flags(program, SettingGroup::output, options.settings);
   program
-      .add_option("--ranks-per-run", options.ranks_per_run,
-                  "Number of ranks that run one layout of a stream together; several layouts run at the same "
-                  "time")
+      .add_option(
+          "--ranks-per-run", options.ranks_per_run,
+          "Number of ranks that run one layout of a stream together; several layouts run at the same time")
       ->type_name("N")
       ->check(whole_number(1, 10000000))
       ->default_str("as few as keep all ranks busy");
@@ -186,8 +184,8 @@ void require_short_name(const std::string& output) {
   const std::string longest = output + ".ckpt.0.tmp4194304_cid-4194304-4194304.sm";  // by Open MPI
   std::error_code fault;
   if (!std::filesystem::exists(longest, fault) && fault == std::errc::filename_too_long)
-    throw InputError("--output", fmt::format("the file {} cannot be created: {}; give a shorter name",
-                                             longest, fault.message()));
+    throw InputError("--output", "the file {} cannot be created: {}; give a shorter name", longest,
+                     fault.message());
 }
 
 }  // namespace

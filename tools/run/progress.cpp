@@ -5,9 +5,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <utility>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/coupling/refinement.hpp"
 
 namespace beadswim {
 namespace {
@@ -30,15 +30,8 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(ProgressStyle style, long first, long steps, double steps_per_cycle,
-                   std::optional<double> updates_per_step)
-    : style_(resolve_style(style)),
-      first_(static_cast<double>(first)),
-      steps_(static_cast<double>(steps)),
-      steps_per_cycle_(steps_per_cycle),
-      updates_per_step_(updates_per_step),
-      start_(Clock::now()),
-      last_(start_) {}
+Progress::Progress(ProgressStyle style, const ModelPlan& plan)
+    : style_(resolve_style(style)), plan_(plan), start_(Clock::now()), last_(start_) {}
 
 void Progress::update(long steps_done) {
   const double interval = style_ == ProgressStyle::bar ? 0.2 : 10;
@@ -54,27 +47,30 @@ void Progress::finish(long steps_done) {
 }
 
 void Progress::print(long steps_done) {
-  const double done = static_cast<double>(steps_done);
+  const auto done = static_cast<double>(steps_done), first = static_cast<double>(plan_.steps_done),
+             steps = static_cast<double>(plan_.steps_in(plan_.settings.cycles)),
+             cycle = static_cast<double>(plan_.steps_per_cycle);
+  const SceneOnLattice* const lattice = plan_.lattice();
+  const double updates = lattice ? updates_per_step(lattice->scene.all_levels()) : 0;
   const double elapsed = seconds(Clock::now() - start_);
-  const double now_done = done - first_;
-  const double left = now_done > 0 ? elapsed * (steps_ - done) / now_done : 0;
-  const double mlups = elapsed > 0 ? 1e-6 * updates_per_step_.value_or(0) * now_done / elapsed : 0;
+  const double now_done = done - first;
+  const double left = now_done > 0 ? elapsed * (steps - done) / now_done : 0;
+  const double mlups = elapsed > 0 ? 1e-6 * updates * now_done / elapsed : 0;
   if (style_ == ProgressStyle::json) {
     print_to_stderr(fmt::format("{{\"step\":{},\"steps\":{},\"cycle\":{:.4f},{}\"seconds_left\":{:.1f}}}\n",
-                                steps_done, steps_, done / steps_per_cycle_,
-                                updates_per_step_ ? fmt::format("\"mlups\":{:.3f},", mlups) : "", left));
+                                steps_done, steps, done / cycle,
+                                lattice ? fmt::format("\"mlups\":{:.3f},", mlups) : "", left));
     return;
   }
-  const std::string line =
-      fmt::format("cycle {:.2f} of {:.2f}, {:3.0f} %,{} {} left", done / steps_per_cycle_,
-                  steps_ / steps_per_cycle_, 100 * done / steps_,
-                  updates_per_step_ ? fmt::format(" {:.1f} MLUPS,", mlups) : "", duration_text(left));
+  const std::string line = fmt::format(
+      "cycle {:.2f} of {:.2f}, {:3.0f} %,{} {} left", done / cycle, steps / cycle, 100 * done / steps,
+      lattice ? fmt::format(" {:.1f} MLUPS,", mlups) : "", duration_text(left));
   if (style_ == ProgressStyle::lines) {
     print_to_stderr(fmt::format("beadswim-run: {}\n", line));
     return;
   }
   constexpr int width = 30;
-  const std::string filled(static_cast<std::size_t>(width * done / steps_), '#');
+  const std::string filled(static_cast<std::size_t>(width * done / steps), '#');
   print_to_stderr(fmt::format("\r[{:<{}}] {}\x1b[K", filled, width, line));
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <chrono>
-#include <functional>
-#include <optional>
 
 #include "beadswim/core/names.hpp"
+#include "beadswim/run/model.hpp"
 
 namespace beadswim {
 
@@ -22,11 +21,8 @@ inline constexpr auto name_table<ProgressStyle> =
 /// Prints on standard error how many cycles of a run are done and the expected time until the run ends.
 class Progress {
  public:
-  /// `first`: number of time steps that an earlier run has completed. `steps`: total number of time steps,
-  /// including `first`. `updates_per_step`: number of lattice cells that a step updates; nullopt for models
-  /// without a lattice, for which no speed (MLUPS) is printed.
-  Progress(ProgressStyle style, long first, long steps, double steps_per_cycle,
-           std::optional<double> updates_per_step);
+  /// The plan must exist as long as this object. No speed (MLUPS) is printed for models without a lattice.
+  Progress(ProgressStyle style, const ModelPlan& plan);
 
   void update(long steps_done);  ///< prints a line if enough time has passed since the last line
   void finish(long steps_done);  ///< prints the last line
@@ -37,8 +33,7 @@ class Progress {
   void print(long steps_done);
 
   ProgressStyle style_;
-  double first_, steps_, steps_per_cycle_;
-  std::optional<double> updates_per_step_;
+  const ModelPlan& plan_;
   Clock::time_point start_, last_;
 };
 

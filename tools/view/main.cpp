@@ -54,9 +54,10 @@ void add_flags(CLI::App& program, ViewRequest& request) {
 void require_output(const ViewRequest& request) {
   const std::string& path = request.output;
   if (path != "-" && !path.ends_with(".html") && !path.ends_with(".htm")) {
-    throw InputError("--output", fmt::format("the file name \"{}\" does not end in .html; give a name that "
-                                             "ends in .html, or - for standard output",
-                                             path));
+    throw InputError("--output",
+                     "the file name \"{}\" does not end in .html; give a name that ends in .html, or - for "
+                     "standard output",
+                     path);
   }
   require_other_file(request.file, path);
 }
@@ -67,10 +68,11 @@ void require_page_size(const TrajectoryFile& file, const PageOptions& options) {
   const double bytes = expected_bytes(file, options);
   if (bytes <= max_bytes) return;
   const double every = std::ceil(static_cast<double>(options.every) * bytes / max_bytes);
-  throw InputError("--every", fmt::format("the page of {} frames would have {:.0f} MB, but browsers can open "
-                                          "at most {:.0f} MB; give --every {:.0f} or more",
-                                          select_frames(file.reader.frames(), options.every).size(),
-                                          bytes / 1e6, max_bytes / 1e6, every));
+  throw InputError("--every",
+                   "the page of {} frames would have {:.0f} MB, but browsers can open at most {:.0f} MB; "
+                   "give --every {:.0f} or more",
+                   select_frames(file.reader.frames(), options.every).size(), bytes / 1e6, max_bytes / 1e6,
+                   every);
 }
 
 int run(int argc, const char* const* argv) {

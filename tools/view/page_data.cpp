@@ -76,7 +76,6 @@ Json shape_to_json(const SwimmerType& type) {
   return {{"beads", type.beads.size()}, {"bonds", bonds}, {"angles", angles}, {"line", ends_of_line(type)}};
 }
 
-/// Returns the number of bonds of all swimmers.
 std::size_t count_bonds(const TrajectoryFile& file) {
   std::size_t bonds = 0;
   for (std::size_t s = 0; s < file.in_layout.size(); ++s) bonds += file.type(s).bonds.size();
@@ -142,7 +141,6 @@ Json scene_to_json(const TrajectoryFile& file, const std::vector<std::size_t>& f
   return scene;
 }
 
-/// Returns the index of the swimmer of each bead.
 std::vector<std::size_t> swimmers_of_beads(const TrajectoryHeader& header) {
   std::vector<std::size_t> swimmers;
   std::size_t begun = 0;

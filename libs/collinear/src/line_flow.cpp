@@ -2,49 +2,41 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-#include <numbers>
-
-#include "beadswim/collinear/periodic_unsteady_stokes.hpp"
+#include "beadswim/collinear/unsteady_stokes.hpp"
 #include "beadswim/core/error.hpp"
+#include "periodic_flow.hpp"
 
 namespace beadswim {
 
 namespace {
 
-SteadyLine unbounded_steady(double viscosity, double displacement) {
+SteadyFlow unbounded_steady(double viscosity, double displacement) {
   const double r = std::abs(displacement);
   const double oseen = 1 / (4 * std::numbers::pi * viscosity * r);
   const double laplacian = -oseen / (3 * r * r);
-  return {.oseen = {.value = oseen, .slope = -oseen / displacement},
-          .laplacian = {.value = laplacian, .slope = -3 * laplacian / displacement}};
+  return {.oseen = displacement_kernel(oseen, -oseen / displacement),
+          .laplacian = displacement_kernel(laplacian, -3 * laplacian / displacement)};
 }
 
-/// Returns the kernel K(x_r, x_s) = f(x_r - x_s) and its derivatives. `direct`: f and its slope at x_r - x_s.
+/// Subtracts the flow of the mirror images behind walls in x. `mirrored`: flow of the source at -x_s.
 template <class T>
-LineKernel<T> make_kernel(const LineValue<T>& direct) {
-  return {.value = direct.value, .by_receiver = direct.slope, .by_source = -direct.slope};
+void subtract_mirror(LineKernel<T>& kernel, const LineKernel<T>& mirrored) {
+  kernel.value -= mirrored.value;
+  kernel.by_receiver -= mirrored.by_receiver;
+  kernel.by_source += mirrored.by_source;
 }
 
-/// Returns the kernel K(x_r, x_s) = f(x_r - x_s) - f(x_r + x_s) between walls, and its derivatives. `direct`:
-/// f and its slope at x_r - x_s, `mirrored`: f and its slope at x_r + x_s.
-template <class T>
-LineKernel<T> make_kernel(const LineValue<T>& direct, const LineValue<T>& mirrored) {
-  return {.value = direct.value - mirrored.value,
-          .by_receiver = direct.slope - mirrored.slope,
-          .by_source = -direct.slope - mirrored.slope};
+SteadyFlow between_walls(SteadyFlow flow, const SteadyFlow& mirrored) {
+  subtract_mirror(flow.oseen, mirrored.oseen);
+  subtract_mirror(flow.laplacian, mirrored.laplacian);
+  return flow;
 }
 
-template <class... Line>
-SteadyFlow steady_flow(const Line&... lines) {
-  return {.oseen = make_kernel(lines.oseen...), .laplacian = make_kernel(lines.laplacian...)};
-}
-
-template <class... Line>
-UnsteadyFlow unsteady_flow(const Line&... lines) {
-  return {.helmholtz = make_kernel(lines.helmholtz...),
-          .harmonic = make_kernel(lines.harmonic...),
-          .total = make_kernel(lines.total...)};
+UnsteadyFlow between_walls(UnsteadyFlow flow, const UnsteadyFlow& mirrored) {
+  subtract_mirror(flow.helmholtz, mirrored.helmholtz);
+  subtract_mirror(flow.harmonic, mirrored.harmonic);
+  subtract_mirror(flow.total, mirrored.total);
+  return flow;
 }
 
 void check_alpha(std::complex<double> alpha) {
@@ -61,7 +53,8 @@ void check_alpha(std::complex<double> alpha) {
 }  // namespace
 
 LineFlow::LineFlow(double viscosity, const Box& box, double y, double z)
-    : viscosity_(viscosity), periodic_(PeriodicStokes(viscosity, periodic_line(box, y, z))) {
+    : viscosity_(viscosity),
+      periodic_(std::make_shared<PeriodicStokes>(viscosity, periodic_line(box, y, z))) {
   if (box.has_mirrors(0)) wall_ = box.lengths[0];
 }
 
@@ -87,25 +80,25 @@ void LineFlow::check_between_walls(double place) const {
 
 SteadyFlow LineFlow::steady(double receiver, double source) const {
   check_places(receiver, source);
-  if (!periodic_) return steady_flow(unbounded_steady(viscosity_, receiver - source));
-  const SteadyLine direct = periodic_->at(receiver - source);
-  return wall_ ? steady_flow(direct, periodic_->at(receiver + source)) : steady_flow(direct);
+  if (!periodic_) return unbounded_steady(viscosity_, receiver - source);
+  const SteadyFlow flow = periodic_->at(receiver - source);
+  return wall_ ? between_walls(flow, periodic_->at(receiver + source)) : flow;
 }
 
 SteadyFlow LineFlow::steady_images(double place) const {
   check_between_walls(place);
   if (!periodic_) return {};
-  const SteadyLine images = periodic_->images();
-  return wall_ ? steady_flow(images, periodic_->at(2 * place)) : steady_flow(images);
+  const SteadyFlow images = periodic_->images();
+  return wall_ ? between_walls(images, periodic_->at(2 * place)) : images;
 }
 
 UnsteadyFlow LineFlow::unsteady(std::complex<double> alpha, double receiver, double source) const {
   check_alpha(alpha);
   check_places(receiver, source);
-  if (!periodic_) return unsteady_flow(unsteady_stokeslet(viscosity_, alpha, receiver - source, 0));
+  if (!periodic_) return unsteady_stokeslet(viscosity_, alpha, receiver - source, 0);
   const PeriodicUnsteadyStokes periodic(*periodic_, alpha);
-  const UnsteadyLine direct = periodic.at(receiver - source);
-  return wall_ ? unsteady_flow(direct, periodic.at(receiver + source)) : unsteady_flow(direct);
+  const UnsteadyFlow flow = periodic.at(receiver - source);
+  return wall_ ? between_walls(flow, periodic.at(receiver + source)) : flow;
 }
 
 UnsteadyFlow LineFlow::unsteady_images(std::complex<double> alpha, double place) const {
@@ -113,8 +106,8 @@ UnsteadyFlow LineFlow::unsteady_images(std::complex<double> alpha, double place)
   check_between_walls(place);
   if (!periodic_) return {};
   const PeriodicUnsteadyStokes periodic(*periodic_, alpha);
-  const UnsteadyLine images = periodic.images();
-  return wall_ ? unsteady_flow(images, periodic.at(2 * place)) : unsteady_flow(images);
+  const UnsteadyFlow images = periodic.images();
+  return wall_ ? between_walls(images, periodic.at(2 * place)) : images;
 }
 
 }  // namespace beadswim

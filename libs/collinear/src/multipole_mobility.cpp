@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -19,7 +20,7 @@ using Eigen::VectorXd;
 using multipole::Line;
 
 /// Linear system matrix * own = drive for the multipole coefficients `own` of the flows that the spheres
-/// cause (own flows, multipole_sphere.hpp). In column k of `own` and `drive`, sphere k moves at unit velocity
+/// cause (own flows, multipole_line.hpp). In column k of `own` and `drive`, sphere k moves at unit velocity
 /// and all other spheres are at rest.
 struct System {
   MatrixXd matrix;  ///< identity minus the responses of spheres to the flows of other spheres
@@ -29,7 +30,7 @@ struct System {
 
 struct Solution {
   MatrixXd own;      ///< coefficients A_n and B_n of all spheres; one column per moving sphere
-  MatrixXd adjoint;  ///< column i: derivatives of A_0 of sphere i by the rows of drive
+  MatrixXd adjoint;  ///< column i: derivatives of A_0 of sphere i by the rows of drive; last: of stresslet()
 };
 
 void check_positive(double number, const std::string& name) {
@@ -63,22 +64,32 @@ System assemble(const Line& line) {
                 .drive = MatrixXd::Zero(line.unknowns(), line.size())};
   system.translation.resize(line.size(), std::vector<MatrixXd>(line.size()));
   for (int i = 0; i < line.size(); ++i) {
-    const multipole::Sphere& sphere = line.sphere[i];
-    system.drive.col(i).segment(line.start[i], sphere.unknowns()) = sphere.translating_flow();
+    // A lone sphere that moves at unit velocity causes the flow A_0 = -3/4, B_1 = 1/4.
+    system.drive(line.start[i], i) = -0.75;
+    system.drive(line.start[i] + line.order[i], i) = 0.25;
     for (int j = 0; j < line.size(); ++j) {
       if (j == i) continue;
       const multipole::Pair pair = line.pair(i, j);
       system.translation[i][j] = multipole::translation(pair);
-      system.matrix.block(line.start[i], line.start[j], sphere.unknowns(), line.sphere[j].unknowns()) =
-          -sphere.response(multipole::unit_flows(pair, system.translation[i][j]));
+      system.matrix.block(line.start[i], line.start[j], line.unknowns(i), line.unknowns(j)) =
+          -multipole::response(line.order[i], multipole::unit_flows(pair, system.translation[i][j]));
     }
   }
   return system;
 }
 
+// A sphere of radius a causes -(3 cos^2 theta - 1) A_1 a^2/r^2 e_r by A_1 and B_0 = -A_1 (r in [length]).
+// Multiplied by -8 pi eta, the sum of a^2 A_1 over the spheres is their axial stresslet.
+VectorXd stresslet(const Line& line) {
+  VectorXd weights = VectorXd::Zero(line.unknowns());
+  for (int i = 0; i < line.size(); ++i) weights[line.start[i] + 1] = line.radius[i] * line.radius[i];
+  return weights;
+}
+
 Solution solve(const Line& line, const System& system) {
-  MatrixXd strengths = MatrixXd::Zero(line.unknowns(), line.size());
+  MatrixXd strengths = MatrixXd::Zero(line.unknowns(), line.size() + 1);
   for (int i = 0; i < line.size(); ++i) strengths(line.start[i], i) = 1;
+  strengths.rightCols<1>() = stresslet(line);
   const PairedSolutions solutions = solve_both(system.matrix, system.drive, strengths);
   return {.own = solutions.direct, .adjoint = solutions.transposed};
 }
@@ -102,20 +113,19 @@ MatrixXd mobility_of(const Line& line, const Solution& flow, const VectorXd& for
   return symmetric_part(inverse(resistance));
 }
 
-/// Returns the derivatives of the multipole coefficients A_0 of all spheres (rows) by the offset of the
+/// Returns the derivatives of A_0 of all spheres and of stresslet() (rows) by the offset of the
 /// centres, position of `receiver` minus position of `source`. In column k, sphere k moves at unit velocity.
 MatrixXd strength_slope(const Line& line, const System& system, const Solution& flow, int receiver,
                         int source) {
-  const MatrixXd own = flow.own.middleRows(line.start[source], line.sphere[source].unknowns());
+  const MatrixXd own = flow.own.middleRows(line.start[source], line.unknowns(source));
   const multipole::IncomingFlow slopes =
       multipole::flow_slopes(line.pair(receiver, source), system.translation[receiver][source], own);
-  const multipole::Sphere& sphere = line.sphere[receiver];
-  return flow.adjoint.middleRows(line.start[receiver], sphere.unknowns()).transpose() *
-         sphere.response(slopes);
+  return flow.adjoint.middleRows(line.start[receiver], line.unknowns(receiver)).transpose() *
+         multipole::response(line.order[receiver], slopes);
 }
 
 std::vector<MatrixXd> strength_slopes(const Line& line, const System& system, const Solution& flow) {
-  std::vector<MatrixXd> slopes(line.size(), MatrixXd::Zero(line.size(), line.size()));
+  std::vector<MatrixXd> slopes(line.size(), MatrixXd::Zero(line.size() + 1, line.size()));
   for (int i = 0; i < line.size(); ++i) {
     for (int j = 0; j < line.size(); ++j) {
       if (j == i) continue;
@@ -127,12 +137,25 @@ std::vector<MatrixXd> strength_slopes(const Line& line, const System& system, co
   return slopes;
 }
 
-/// Returns d mu / d x_k = -mu (d R / d x_k) mu, where R is the resistance and x_k the position of sphere k.
-std::vector<MatrixXd> mobility_slopes(const Line& line, const System& system, const Solution& flow,
-                                      const MatrixXd& mobility, const VectorXd& force) {
-  std::vector<MatrixXd> slopes = strength_slopes(line, system, flow);
-  for (MatrixXd& slope : slopes) slope = symmetric_part(-mobility * force.asDiagonal() * slope * mobility);
-  return slopes;
+/// Returns the mobility with d mu / d x_k = -mu (d R / d x_k) mu and sigma = s mu. R: resistance; s:
+/// stresslet if sphere k moves at unit velocity; x_k: position of sphere k.
+MultipoleMobility with_slopes(const Line& line, const System& system, const Solution& flow,
+                              const MatrixXd& mobility, const VectorXd& force, double viscosity) {
+  const double per_strength = -8 * std::numbers::pi * viscosity;
+  const VectorXd moving = per_strength * flow.own.transpose() * stresslet(line);
+  MultipoleMobility result{.value = mobility,
+                           .slope = {},
+                           .stresslet = mobility * moving,
+                           .stresslet_slope = MatrixXd(line.size(), line.size()),
+                           .order = std::ranges::max(line.order)};
+  for (const MatrixXd& slope : strength_slopes(line, system, flow)) {
+    const Eigen::Index k = std::ssize(result.slope);
+    result.slope.push_back(
+        symmetric_part(-mobility * force.asDiagonal() * slope.topRows(line.size()) * mobility));
+    result.stresslet_slope.col(k) =
+        result.slope[k] * moving + per_strength * mobility * slope.bottomRows<1>().transpose();
+  }
+  return result;
 }
 
 /// Returns an upper bound of the truncation error of the coefficient A_0 of each sphere (rows), if sphere k
@@ -149,8 +172,8 @@ MatrixXd strength_error(const Line& line, const Solution& flow) {
   MatrixXd error = MatrixXd::Zero(line.size(), line.size());
   for (int i = 0; i < line.size(); ++i) {
     const double series = for_slopes / std::expm1(2 * nearest_bispherical_coordinate(line, i));
-    for (const int end : {line.start[i] + line.sphere[i].order(), line.start[i + 1]}) {
-      const MatrixXd adjoint = flow.adjoint.middleRows(end - last, last).cwiseAbs();
+    for (const int end : {line.start[i] + line.order[i], line.start[i + 1]}) {
+      const MatrixXd adjoint = flow.adjoint.middleRows(end - last, last).leftCols(line.size()).cwiseAbs();
       error += series * adjoint.transpose() * flow.own.middleRows(end - last, last).cwiseAbs();
     }
   }
@@ -179,11 +202,7 @@ MultipoleMobility multipole_mobility(std::span<const double> radii, std::span<co
     const Solution flow = solve(line, system);
     const MatrixXd mobility = mobility_of(line, flow, force);
     const double error = relative_error(mobility, force.cwiseAbs().asDiagonal() * strength_error(line, flow));
-    if (error <= tolerance) {
-      return {.value = mobility,
-              .slope = mobility_slopes(line, system, flow, mobility, force),
-              .order = line.largest_order()};
-    }
+    if (error <= tolerance) return with_slopes(line, system, flow, mobility, force, viscosity);
     if (!std::isfinite(error))
       throw NotFiniteError(
           "the mobility of spheres on a line is not finite; check the radii, the positions and the "

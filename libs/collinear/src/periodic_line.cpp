@@ -1,8 +1,6 @@
-#include "beadswim/collinear/periodic_line.hpp"
+#include "periodic_line.hpp"
 
 #include <fmt/core.h>
-
-#include <numbers>
 
 #include "beadswim/core/error.hpp"
 
@@ -77,7 +75,8 @@ PeriodicLine periodic_line(const Box& box, double y, double z) {
           .splitting = splitting_of_unit_volume / std::cbrt(volume)};
 }
 
-std::vector<PeriodicLine::Wave> transverse_waves(const PeriodicLine& line, double longest) {
+std::vector<PeriodicLine::Wave> transverse_waves(const PeriodicLine& line) {
+  const double longest = line.max_wavenumber();
   std::vector<PeriodicLine::Wave> waves;
   const auto z_waves = axis_waves(line.z, longest);
   for (const auto& y : axis_waves(line.y, longest)) {

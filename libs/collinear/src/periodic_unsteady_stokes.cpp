@@ -1,11 +1,34 @@
-#include "beadswim/collinear/periodic_unsteady_stokes.hpp"
+#include "beadswim/collinear/unsteady_stokes.hpp"
+#include "beadswim/core/gauss_legendre.hpp"
+#include "periodic_flow.hpp"
 
-#include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
-#include <numbers>
-
-#include "beadswim/core/complex.hpp"
-#include "ewald_cutoff.hpp"
+// clang-format off
+// Unsteady Stokes flow of a periodic lattice of oscillating forces along x: velocity along x on the line of
+// the forces, per force. alpha^2 = i omega rho / eta. The flow and its two parts have these Fourier
+// transforms:
+//
+//   helmholtz  (1/eta) (1 + k_x^2/alpha^2) / (k^2 + alpha^2)    with k = 0: 1/(eta alpha^2 V), uniform flow
+//   harmonic   (1/eta) ( -  k_x^2/alpha^2) /  k^2               without k = 0
+//   total      (1/eta) (1 - k_x^2/k^2)     / (k^2 + alpha^2)    with k = 0
+//
+// The harmonic part follows from the steady velocity per force, G_xx (periodic_stokes.cpp). With n copies of
+// the force in the lattice cell of volume V:
+//
+//   eta alpha^2 harmonic = n/V - eta laplacian of the steady G_xx
+//
+// The helmholtz part and the total are evaluated as Ewald sums of the integrals
+//
+//   helmholtz  (1/eta) integral_0^oo [ e^{-alpha^2 s} g_s - (e^{-alpha^2 s}/alpha^2) d^2 g_s/dx^2 ] ds
+//   total      (1/eta) integral_0^oo [ e^{-alpha^2 s} g_s +                    q(s)  d^2 g_s/dx^2 ] ds
+//
+//   g_s(r) = (4 pi s)^{-3/2} exp(-r^2/4s), the heat kernel;   q(s) = (1 - e^{-alpha^2 s})/alpha^2;   tau = 1/(4 xi^2)
+// clang-format on
+//
+// The integrals over s > tau are evaluated as sums over wavevectors. The integrals over s < tau are evaluated
+// as sums over images, with Gauss-Legendre quadrature in s. No term is larger than the sum, so the total
+// suffers no loss of significance as alpha -> 0. If |alpha| V_box^{1/3} > 13, where V_box is the volume of
+// the box, the helmholtz flow of an image decays within the box. The helmholtz part is then summed directly
+// over images.
 
 namespace beadswim {
 
@@ -35,31 +58,8 @@ Complex complementary_error_function(Complex z) {
   return 1.0 - 2 / std::sqrt(pi) * sum;
 }
 
-/// Sums over the transverse wavevectors (k_y, k_z) for one k_x, with k^2 = k_x^2 + k_y^2 + k_z^2 and
-/// tau = 1/(4 xi^2).
-struct TransverseSum {
-  Complex heat_sum;    ///< sum of exp(-k^2 tau)/(k^2 + alpha^2)
-  Complex steady_sum;  ///< sum of exp(-k^2 tau)/(k^2 (k^2 + alpha^2)) without k = 0
-};
-
-TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, double k_x, Complex alpha2,
-                             double splitting) {
-  const double tau = 1 / (4 * splitting * splitting);
-  const double longest = max_wavenumber(splitting);
-  TransverseSum sum;
-  for (const auto& wave : waves) {
-    const double k2 = k_x * k_x + wave.square;
-    if (k2 > longest * longest) continue;
-    const Complex term = wave.weight * std::exp(-k2 * tau) / (k2 + alpha2);
-    sum.heat_sum += term;
-    if (k2 > 0) sum.steady_sum += term / k2;
-  }
-  return sum;
-}
-
-/// Quadrature node of the integrals over s < tau that give the sums over images
-/// (periodic_unsteady_stokes.hpp). s = 1/(4 p^2). The weights are factors of exp(-p^2 r^2) and of its second
-/// derivative along x.
+/// Quadrature node of the integrals over s < tau that give the sums over images. s = 1/(4 p^2). The weights
+/// are factors of exp(-p^2 r^2) and of its second derivative along x.
 struct HeatNode {
   double p = 0;
   Complex plain;                           ///< factor of exp(-p^2 r^2) in both integrals
@@ -78,26 +78,17 @@ std::vector<HeatNode> heat_nodes(double xi, Complex alpha, double nearest) {
   const double span = std::log(std::max(gaussian_cutoff / (xi * nearest), 1.2));
   constexpr double longest_panel = 0.7;
   const int panels = static_cast<int>(std::ceil(span / longest_panel));
-  using Rule =
-      boost::math::quadrature::gauss<long double, 16>;  // Boost's rule for double is inexact in the last bits
+  static const std::vector<QuadratureNode> rule = gauss_legendre(16, 0, 1);
   std::vector<HeatNode> nodes;
-  const auto add = [&](double y, double weight) {
-    const double p = xi * std::exp(y), s = 1 / (4 * p * p);
-    const double scale = weight * p / (2 * std::pow(pi, 1.5));
-    const Complex decay = scale * std::exp(-alpha2 * s);
-    nodes.push_back({.p = p,
-                     .plain = decay,
-                     .helmholtz_curved = -decay / alpha2,
-                     .total_curved = scale * s * mean_decay(alpha2 * s)});
-  };
   for (int panel = 0; panel < panels; ++panel) {
-    const double from = span * panel / panels, to = span * (panel + 1) / panels;
-    const double middle = (from + to) / 2, half = (to - from) / 2;
-    for (std::size_t n = 0; n < Rule::abscissa().size(); ++n) {  // nodes in (0, 1); each has a mirror node
-      const auto place = static_cast<double>(Rule::abscissa()[n]);
-      const auto weight = static_cast<double>(Rule::weights()[n]);
-      add(middle - half * place, half * weight);
-      add(middle + half * place, half * weight);
+    for (const auto& [place, weight] : rule) {
+      const double p = xi * std::exp(span * (panel + place) / panels), s = 1 / (4 * p * p);
+      const double scale = weight * span / panels * p / (2 * std::pow(pi, 1.5));
+      const Complex decay = scale * std::exp(-alpha2 * s);
+      nodes.push_back({.p = p,
+                       .plain = decay,
+                       .helmholtz_curved = -decay / alpha2,
+                       .total_curved = scale * s * mean_decay(alpha2 * s)});
     }
   }
   return nodes;
@@ -129,26 +120,27 @@ double nearest_distance(const std::vector<Place>& places) {
 PeriodicUnsteadyStokes::PeriodicUnsteadyStokes(const PeriodicStokes& steady, Complex alpha)
     : steady_(steady), alpha_(alpha) {
   const auto& line = steady.line();
-  if (decays_within_box()) {
-    // Flow below e^-40 = 4e-18 of the flow at the surface of the largest sphere is neglected.
-    constexpr double decay_length = 40;
-    cutoff_ = decay_length / alpha.real() + nearest_image(line);
-    image_lines_ = image_lines(line, cutoff_);
-    return;
-  }
-  cutoff_ = image_cutoff(line.splitting);
+  // Flow below e^-40 = 4e-18 of the flow at the surface of the largest sphere is neglected.
+  constexpr double decay_length = 40;
+  cutoff_ = decays_within_box() ? decay_length / alpha.real() + nearest_image(line) : line.image_cutoff();
   image_lines_ = image_lines(line, cutoff_);
-  const double longest = max_wavenumber(line.splitting), spacing = 2 * pi / line.period;
+  if (decays_within_box()) return;
   const double tau = 1 / (4 * line.splitting * line.splitting);
   const Complex alpha2 = alpha * alpha, decay = std::exp(-alpha2 * tau),
                 growth = tau * mean_decay(alpha2 * tau);
-  const auto waves = transverse_waves(line, longest);
-  for (int n = 0; n * spacing < longest; ++n) {
-    const double kx2 = n * spacing * n * spacing;
+  // The terms are e^(-k^2 tau)/(k^2 + alpha^2), and the same divided by k^2 without k = 0.
+  waves_ =
+      sum_over_transverse_waves<Complex>(line, [&](auto& sum, const PeriodicLine::Wave& wave, double k2) {
+        const Complex term = wave.weight * std::exp(-k2 * tau) / (k2 + alpha2);
+        sum[0] += term;
+        if (k2 > 0) sum[1] += term / k2;
+      });
+  for (std::size_t n = 0; n < waves_.size(); ++n) {
+    const double kx2 = n * line.wave_spacing() * n * line.wave_spacing();
     const double scale = (n == 0 ? 1 : 2) / (steady.viscosity() * line.volume());
-    const auto sum = transverse_sum(waves, n * spacing, alpha2, line.splitting);
-    wave_sums_.push_back({scale * decay * (1.0 + kx2 / alpha2) * sum.heat_sum,
-                          scale * ((decay - kx2 * growth) * sum.heat_sum - kx2 * sum.steady_sum)});
+    const auto [heat_sum, steady_sum] = waves_[n];
+    waves_[n] = {scale * decay * (1.0 + kx2 / alpha2) * heat_sum,
+                 scale * ((decay - kx2 * growth) * heat_sum - kx2 * steady_sum)};
   }
 }
 
@@ -156,22 +148,6 @@ PeriodicUnsteadyStokes::PeriodicUnsteadyStokes(const PeriodicStokes& steady, Com
 /// decays within the box. The splitting parameter is xi = 6/V^{1/3}.
 bool PeriodicUnsteadyStokes::decays_within_box() const {
   return std::abs(alpha_) > 13.0 / 6 * steady_.line().splitting;
-}
-
-PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::waves(double displacement) const {
-  const double spacing = 2 * pi / steady_.line().period;
-  const Complex step = std::polar(1.0, spacing * displacement);
-  Complex phase = 1;
-  Parts sum;
-  double k = 0;
-  for (const auto& wave : wave_sums_) {
-    const LineValue<double> shape{phase.real(), -k * phase.imag()};
-    sum.helmholtz += wave.helmholtz * shape;
-    sum.total += wave.total * shape;
-    phase *= step;
-    k += spacing;
-  }
-  return sum;
 }
 
 PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::near_images(double displacement) const {
@@ -184,21 +160,20 @@ PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::near_images(double displac
   if (places.empty()) return sum;
   for (const auto& node : heat_nodes(line.splitting, alpha_, nearest_distance(places))) {
     const double p2 = node.p * node.p;
-    LineValue<double> plain, curved;  // sums over images of e^{-p^2 r^2} and of its second derivative
+    LineKernel<double> plain, curved;  // sums over images of e^{-p^2 r^2} and of its second derivative
     for (const auto& [x, rho2] : places) {
       // clang-format off
       const double g = std::exp(-p2 * (x * x + rho2)), px2 = p2 * x * x;
-      plain  += LineValue<double>{                       g,        -2 * p2 * x                 * g};
-      curved += LineValue<double>{2 * p2 * (2 * px2 - 1) * g, 4 * p2 * p2 * x * (3 - 2 * px2) * g};
+      plain  += displacement_kernel(                       g,        -2 * p2 * x                 * g);
+      curved += displacement_kernel(2 * p2 * (2 * px2 - 1) * g, 4 * p2 * p2 * x * (3 - 2 * px2) * g);
       // clang-format on
     }
-    sum.helmholtz += node.plain * plain;
-    sum.helmholtz += node.helmholtz_curved * curved;
-    sum.total += node.plain * plain;
-    sum.total += node.total_curved * curved;
+    for (auto& part : sum) part += node.plain * plain;
+    sum[0] += node.helmholtz_curved * curved;
+    sum[1] += node.total_curved * curved;
   }
   const double scale = 1 / steady_.viscosity();
-  return {scale * sum.helmholtz, scale * sum.total};
+  return {scale * sum[0], scale * sum[1]};
 }
 
 /// Evaluates the flow of the source itself that the sum over wavevectors contains: the integral over s > tau
@@ -212,57 +187,48 @@ PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::self_flow_of_waves() const
       xi * decay - alpha_ / 2.0 * std::sqrt(pi) * complementary_error_function(alpha_ / (2 * xi));
   const double scale = 1 / (3 * std::pow(pi, 1.5) * steady_.viscosity());
   const double xi3 = xi * xi * xi;
-  // clang-format off
-  return {.helmholtz = {scale * (integral + xi3 * decay / alpha2), 0},
-          .total     = {scale * (integral - xi3 * tau * mean_decay(alpha2 * tau)), 0}};
-  // clang-format on
+  return {LineKernel<Complex>{.value = scale * (integral + xi3 * decay / alpha2)},
+          LineKernel<Complex>{.value = scale * (integral - xi3 * tau * mean_decay(alpha2 * tau))}};
 }
 
-PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::ewald_sum(double displacement) const {
-  Parts parts = waves(displacement);
-  const Parts images = near_images(displacement);
-  parts.helmholtz += images.helmholtz;
-  parts.total += images.total;
-  return parts;
-}
-
-LineValue<Complex> PeriodicUnsteadyStokes::helmholtz_images(double displacement) const {
-  LineValue<Complex> sum;
+LineKernel<Complex> PeriodicUnsteadyStokes::helmholtz_images(double displacement) const {
+  LineKernel<Complex> sum;
   for_each_image(steady_.line().period, image_lines_, cutoff_, displacement, [&](double x, double rho2) {
     sum += unsteady_stokeslet(steady_.viscosity(), alpha_, x, rho2).helmholtz;
   });
   return sum;
 }
 
-LineValue<Complex> PeriodicUnsteadyStokes::harmonic(const LineValue<double>& steady_laplacian) const {
-  const double neutral = steady_.line().copies() / (steady_.viscosity() * steady_.line().volume());
+UnsteadyFlow PeriodicUnsteadyStokes::flow(double displacement,
+                                          const LineKernel<double>& steady_laplacian) const {
+  const PeriodicLine& line = steady_.line();
+  const double neutral = line.copies() / (steady_.viscosity() * line.volume());
   const Complex alpha2 = alpha_ * alpha_;
-  return {(neutral - 6 * steady_laplacian.value) / alpha2, -6 * steady_laplacian.slope / alpha2};
-}
-
-UnsteadyLine PeriodicUnsteadyStokes::flow(double displacement,
-                                          const LineValue<double>& steady_laplacian) const {
-  const auto potential = harmonic(steady_laplacian);
+  const auto harmonic = displacement_kernel((neutral - 6 * steady_laplacian.value) / alpha2,
+                                            -6 * steady_laplacian.by_receiver / alpha2);
   if (decays_within_box()) {
-    const auto decaying = helmholtz_images(displacement);
-    auto total = decaying;
-    total += potential;
-    return {.helmholtz = decaying, .harmonic = potential, .total = total};
+    const auto helmholtz = helmholtz_images(displacement);
+    auto total = helmholtz;
+    total += harmonic;
+    return {.helmholtz = helmholtz, .harmonic = harmonic, .total = total};
   }
-  const Parts parts = ewald_sum(displacement);
-  return {.helmholtz = parts.helmholtz, .harmonic = potential, .total = parts.total};
+  auto [helmholtz, total] = sum_over_waves(waves_, line, displacement);
+  const auto near = near_images(displacement);
+  helmholtz += near[0];
+  total += near[1];
+  return {.helmholtz = helmholtz, .harmonic = harmonic, .total = total};
 }
 
-UnsteadyLine PeriodicUnsteadyStokes::at(double displacement) const {
+UnsteadyFlow PeriodicUnsteadyStokes::at(double displacement) const {
   return flow(displacement, steady_.at(displacement).laplacian);
 }
 
-UnsteadyLine PeriodicUnsteadyStokes::images() const {
-  UnsteadyLine images = flow(0, steady_.images().laplacian);
+UnsteadyFlow PeriodicUnsteadyStokes::images() const {
+  UnsteadyFlow images = flow(0, steady_.images().laplacian);
   if (decays_within_box()) return images;
   const Parts own = self_flow_of_waves();
-  images.helmholtz += -1.0 * own.helmholtz;
-  images.total += -1.0 * own.total;
+  images.helmholtz += -1.0 * own[0];
+  images.total += -1.0 * own[1];
   return images;
 }
 

@@ -1,6 +1,6 @@
 #include "beadswim/collinear/unsteady_stokes.hpp"
 
-#include <array>
+#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +11,7 @@ namespace beadswim {
 namespace {
 
 /// A radial function h(r) and its derivatives D h, D^2 h and D^3 h, where D = (1/r) d/dr.
-using RadialDerivatives = std::array<Complex, 4>;
+using RadialDerivatives = Eigen::Array4cd;
 
 // clang-format off
 /// Evaluates h = e^{-z}/r and its derivatives, with z = alpha r and D = (1/r) d/dr:
@@ -40,7 +40,7 @@ RadialDerivatives coulomb(double r) {
 RadialDerivatives decaying_less_coulomb(Complex z, double r) {
   constexpr int last = 22;  // 1/22! = 9e-22
   const double r2 = r * r;
-  RadialDerivatives sum{};
+  RadialDerivatives sum = RadialDerivatives::Zero();
   Complex power = -z / r;  // (-z)^m / (m! r)
   for (int m = 2; m <= last; ++m) {
     power *= -z / static_cast<double>(m);
@@ -53,32 +53,24 @@ RadialDerivatives decaying_less_coulomb(Complex z, double r) {
   return sum;
 }
 
-RadialDerivatives difference(const RadialDerivatives& a, const RadialDerivatives& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
-}
-
-/// Returns h(r) and its derivative by x, x D h with D = (1/r) d/dr, because dr/dx = x/r.
-LineValue<Complex> plain(const RadialDerivatives& h, double x) {
-  return {h[0], x * h[1]};
-}
-
-/// Returns d^2 h/dx^2 = D h + x^2 D^2 h and its derivative by x, 3 x D^2 h + x^3 D^3 h, with D = (1/r) d/dr.
-LineValue<Complex> second_derivative(const RadialDerivatives& h, double x) {
-  return {h[1] + x * x * h[2], 3 * x * h[2] + x * x * x * h[3]};
+/// Returns the kernel d^2 h/dx^2 = D h + x^2 D^2 h. Its derivative by x is 3 x D^2 h + x^3 D^3 h.
+LineKernel<Complex> second_derivative(const RadialDerivatives& h, double x) {
+  return displacement_kernel(h[1] + x * x * h[2], 3 * x * h[2] + x * x * x * h[3]);
 }
 
 }  // namespace
 
-UnsteadyLine unsteady_stokeslet(double viscosity, Complex alpha, double x, double line_distance_squared) {
+UnsteadyFlow unsteady_stokeslet(double viscosity, Complex alpha, double x, double line_distance_squared) {
   const double r = std::hypot(x, std::sqrt(line_distance_squared));
   const Complex z = alpha * r;
-  const auto yukawa = decaying(z, r);
-  const auto excess = std::abs(z) < 1 ? decaying_less_coulomb(z, r) : difference(yukawa, coulomb(r));
+  const RadialDerivatives yukawa = decaying(z, r);
+  const RadialDerivatives excess = std::abs(z) < 1 ? decaying_less_coulomb(z, r) : yukawa - coulomb(r);
   const double scale = 1 / (4 * std::numbers::pi * viscosity);
   const Complex potential_scale = scale / (alpha * alpha);
 
-  UnsteadyLine flow;
-  flow.helmholtz = scale * plain(yukawa, x);
+  UnsteadyFlow flow;
+  // The derivative of h by x is x D h, because dr/dx = x/r.
+  flow.helmholtz = scale * displacement_kernel(yukawa[0], x * yukawa[1]);
   flow.total = flow.helmholtz;
   flow.helmholtz += -potential_scale * second_derivative(yukawa, x);
   flow.harmonic = potential_scale * second_derivative(coulomb(r), x);

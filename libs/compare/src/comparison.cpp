@@ -111,6 +111,7 @@ double MotionScale::size_of(ResultQuantity quantity, double bead_speed) const {
       return 1;
     case Dimension::number:
     case Dimension::power:
+    case Dimension::energy:
       break;
   }
   return quantity == ResultQuantity::sin_phase_shift ? 1 : 0;

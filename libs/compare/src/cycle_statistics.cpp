@@ -123,6 +123,25 @@ BeadVectors mean_shape(Samples samples, const SwimmerType& type, const Eigen::Ma
   return mean / static_cast<double>(cycle.size());
 }
 
+// The trapezoidal rule takes the frame of a part that is known as an integral at both ends of an interval.
+ForceDipole mean_dipole(Samples samples, const SwimmerType& type,
+                        const Eigen::Matrix3d& initial_orientation) {
+  Eigen::Matrix3d before = orientation_of(samples.front(), type, initial_orientation);
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const SwimmerSample &first = samples[i - 1], &last = samples[i];
+    const Eigen::Matrix3d now = orientation_of(last, type, before);
+    const double time = last.time - first.time;
+    const Eigen::Matrix3d gained = matrix_of(last.dipole.integral) - matrix_of(first.dipole.integral);
+    const auto in_frame = [&](const Eigen::Matrix3d& frame, const SwimmerSample& end) -> Eigen::Matrix3d {
+      return frame.transpose() * (time * matrix_of(end.dipole.present) + gained) * frame;
+    };
+    sum += (in_frame(before, first) + in_frame(now, last)) / 2;
+    before = now;
+  }
+  return dipole_in_frame(sum / (samples.back().time - samples.front().time));
+}
+
 CycleStatistics cycle_statistics(int index, Samples samples, const SwimmerType& type,
                                  const Eigen::Matrix3d& initial_orientation, const BackgroundFlow& flow) {
   const double period = type.driving.period;

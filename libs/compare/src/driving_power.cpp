@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "beadswim/core/trigonometric_nodes.hpp"
+#include "beadswim/swimmers/hinges.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
@@ -93,7 +94,7 @@ std::optional<double> driving_power(const SwimmerType& type, const Eigen::Matrix
   for (const AngleDrive& drive : driving.angles) {
     const Angle& angle = type.angles[drive.angle];
     power += angle.stiffness * power_of(drive.harmonics, driving, samples, [&](const SwimmerSample& sample) {
-               return angle_between(angle, sample.bead_positions);
+               return angle_of(type, angle, sample.time, columns_of_beads(sample.bead_positions));
              });
   }
   return power;

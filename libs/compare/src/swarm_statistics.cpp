@@ -45,24 +45,6 @@ Spread spread_over(const Range& range, Value value) {
   return spread_of(values);
 }
 
-/// Returns the spreads of the three components of value(member).
-template <typename Range, typename Value>
-std::array<Spread, 3> spreads_over(const Range& range, Value value) {
-  std::array<Spread, 3> components;
-  for (int axis = 0; axis < 3; ++axis) {
-    components[axis] = spread_over(range, [=](const auto& member) { return value(member)[axis]; });
-  }
-  return components;
-}
-
-Vec3 means(const std::array<Spread, 3>& components) {
-  return Vec3(components[0].mean, components[1].mean, components[2].mean);
-}
-
-Vec3 deviations(const std::array<Spread, 3>& components) {
-  return Vec3(components[0].deviation, components[1].deviation, components[2].deviation);
-}
-
 /// Returns the order parameter of Kuramoto (1984), |<exp(i delta)>|, where delta is the phase of one arm.
 double phase_order(const Cycles& cycles, std::size_t arm) {
   std::complex<double> sum = 0;
@@ -73,11 +55,13 @@ double phase_order(const Cycles& cycles, std::size_t arm) {
 SwarmSwimming swimming_of(const Cycles& cycles) {
   SwarmSwimming swimming;
   swimming.swimmers = static_cast<int>(cycles.size());
-  const auto velocity = spreads_over(cycles, [](auto* cycle) { return cycle->velocity; });
-  swimming.velocity = means(velocity);
-  swimming.velocity_deviation = deviations(velocity);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Spread velocity = spread_over(cycles, [=](auto* cycle) { return cycle->velocity[axis]; });
+    swimming.velocity[axis] = velocity.mean;
+    swimming.velocity_deviation[axis] = velocity.deviation;
+    swimming.mean_flow[axis] = spread_over(cycles, [=](auto* cycle) { return cycle->mean_flow[axis]; }).mean;
+  }
   swimming.speed_along_axis = spread_over(cycles, [](auto* cycle) { return cycle->speed_along_axis; });
-  swimming.mean_flow = means(spreads_over(cycles, [](auto* cycle) { return cycle->mean_flow; }));
   for (std::size_t arm = 0;; ++arm) {
     Cycles with_arm;
     std::ranges::copy_if(cycles, std::back_inserter(with_arm),
@@ -137,7 +121,8 @@ SwarmStatistics swarm_statistics(int index, Members members, const std::optional
   swarm.swimmers = static_cast<int>(members.size());
   if (const Cycles cycles = last_cycles(members); !cycles.empty()) swarm.swimming = swimming_of(cycles);
 
-  swarm.mean_axis = means(spreads_over(members, [](const SwarmMember& m) { return m.axis; }));
+  for (int axis = 0; axis < 3; ++axis)
+    swarm.mean_axis[axis] = spread_over(members, [=](const SwarmMember& m) { return m.axis[axis]; }).mean;
   swarm.polar_order = swarm.mean_axis.norm();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> nematic(nematic_tensor(members));
   swarm.nematic_order = nematic.eigenvalues()[2];  // the largest: eigenvalues are in increasing order

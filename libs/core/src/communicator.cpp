@@ -1,5 +1,6 @@
 #include "beadswim/core/communicator.hpp"
 
+#include <cstdlib>
 #include <limits>
 #include <numeric>
 
@@ -9,7 +10,17 @@ namespace beadswim {
 
 MpiSession::MpiSession(int* argc, char*** argv) {
   hold_closed_streams();
+  // Open MPI 4 gives all processes without mpirun one folder, and the first that ends deletes it while
+  // another starts: 1 of 100 starts failed with four programs at a time. Without mpirun there is no use for
+  // the folder, nor for the daemon. With it, the folder is needed.
+  const bool launched = std::getenv("PMIX_NAMESPACE") || std::getenv("PMI_RANK") || std::getenv("PMI_FD");
+  constexpr const char* create_folders = "OMPI_MCA_orte_create_session_dirs";
+  if (!launched) {
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    setenv(create_folders, "0", 0);
+  }
   MPI_Init(argc, argv);
+  if (!launched) unsetenv(create_folders);  // a command that this process starts may be mpirun
 }
 
 MpiSession::~MpiSession() {
@@ -23,7 +34,7 @@ Communicator::Communicator(MPI_Comm parent) {
 }
 
 Communicator::~Communicator() {
-  MPI_Comm_free(&comm_);
+  if (comm_ != MPI_COMM_NULL) MPI_Comm_free(&comm_);
 }
 
 std::vector<char> gather_bytes(const std::vector<char>& own, const Communicator& communicator) {

@@ -37,12 +37,6 @@ SymmetricModes::SymmetricModes(const Eigen::MatrixXd& matrix) {
   vectors = solver.eigenvectors();
 }
 
-MatrixRoot::MatrixRoot(const Eigen::MatrixXd& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-  root = solver.operatorSqrt();
-  inverse = solver.operatorInverseSqrt();
-}
-
 bool is_positive_definite(const Eigen::MatrixXd& matrix) {
   return matrix.llt().info() == Eigen::Success;
 }

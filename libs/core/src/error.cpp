@@ -1,7 +1,6 @@
 #include "beadswim/core/error.hpp"
 
 #include <fcntl.h>
-#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cstdio>

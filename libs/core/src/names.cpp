@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cctype>
+
 #include "beadswim/core/joined.hpp"
 
 namespace beadswim {

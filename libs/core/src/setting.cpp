@@ -17,8 +17,12 @@ std::string (*name_in_messages)(Setting) = words_of;
 
 }  // namespace
 
+const char* identifier_of(Setting setting) {
+  return identifiers[static_cast<std::size_t>(setting)];
+}
+
 std::string words_of(Setting setting) {
-  std::string words = identifiers[static_cast<std::size_t>(setting)];
+  std::string words = identifier_of(setting);
   std::ranges::replace(words, '_', ' ');
   return words;
 }

@@ -1,19 +1,15 @@
 #include "beadswim/core/sha256.hpp"
 
-#include <fmt/core.h>
 #include <openssl/evp.h>
 
 #include <array>
 #include <new>
+
 #include "beadswim/core/joined.hpp"
 
 namespace beadswim {
 
-void Sha256::FreeContext::operator()(evp_md_ctx_st* context) const {
-  EVP_MD_CTX_free(context);
-}
-
-Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
+Sha256::Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
   if (!context_ || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1) throw std::bad_alloc();
 }
 

@@ -38,4 +38,15 @@ std::string xml_text(const std::string& text) {
   return result;
 }
 
+std::string plain_text(std::string xml) {
+  for (std::size_t at = xml.find('&'); at != std::string::npos; at = xml.find('&', at + 1)) {
+    const auto is_here = [&](const auto& escape) {
+      return xml.compare(at, escape.second.size(), escape.second) == 0;
+    };
+    if (const auto escape = std::ranges::find_if(escapes, is_here); escape != escapes.end())
+      xml.replace(at, escape->second.size(), 1, escape->first);
+  }
+  return xml;
+}
+
 }  // namespace beadswim

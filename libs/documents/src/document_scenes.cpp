@@ -80,7 +80,7 @@ std::vector<SceneDifference> scene_differences(const RunRecord& run, const Swimm
 }
 
 std::string in_words(const SceneDifference& difference) {
-  return fmt::format("{} {} instead of {}", difference.property, difference.reference, difference.run);
+  return fmt::format("{} {} instead of {}", difference.name, difference.reference, difference.run);
 }
 
 }  // namespace beadswim

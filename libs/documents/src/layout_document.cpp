@@ -31,7 +31,7 @@ Version version_of(const Layout& layout) {
       std::ranges::all_of(layout.types,
                           [](const auto& entry) { return three_bead_form(entry.second).has_value(); }) &&
       std::ranges::all_of(layout.swimmers, [](const Swimmer& swimmer) {
-        return !swimmer.turn && (!swimmer.driving || three_bead_form(*swimmer.driving));
+        return !swimmer.turn && !swimmer.start && (!swimmer.driving || three_bead_form(*swimmer.driving));
       });
   return one ? Version::one : Version::two;
 }

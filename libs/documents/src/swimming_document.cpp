@@ -14,7 +14,6 @@
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/io/document_stream.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
-#include "beadswim/scene/units.hpp"
 
 namespace beadswim {
 namespace {
@@ -32,7 +31,7 @@ RunRecord with_swimmers(RunRecord record, const std::string& source) {
                             "more than {} swimmers, and there is no {}; name the trajectory (.h5md) instead",
                             max_swimmers_listed, path));
   RunRecord of_trajectory = run_of_trajectory(path);
-  if (!(of_trajectory.driving == record.driving && same_units(of_trajectory.units, record.units) &&
+  if (!(of_trajectory.driving == record.driving && of_trajectory.units == record.units &&
         of_trajectory.swimmers.front().cycles.size() ==
             record.swarm.value_or(std::vector<SwarmCycle>()).size()))
     throw InputError(source,
@@ -127,9 +126,13 @@ const SwimmerRecord& find_swimmer(const RunRecord& run, std::optional<int> id, c
         fmt::format("the run record contains only statistics of the swarm, because the run has more than {} "
                     "swimmers; run a smaller cell of the scene (beadswim-layout reduce)",
                     max_swimmers_listed));
+  constexpr std::size_t max_ids = 16;  // of a message that is easy to read
+  const std::vector<int> ids = swimmers_of(run);
+  const auto [low, high] = std::ranges::minmax(ids);
   throw InputError(
-      source, fmt::format("the run record contains no swimmer with the id {}; the ids in the record are {}",
-                          *id, joined(swimmers_of(run), ", ")));
+      source,
+      fmt::format("the run record contains no swimmer with the id {}; the ids in the record are {}", *id,
+                  ids.size() <= max_ids ? joined(ids, ", ") : fmt::format("from {} to {}", low, high)));
 }
 
 MeasuredStroke measured_stroke(const RunRecord& run, std::optional<int> swimmer, const std::string& source) {

@@ -155,8 +155,9 @@ RunRecord run_of_trajectory(const std::string& path) {
   return record;
 }
 
-void throw_unknown_swimmer(const std::string& flag, int id, const std::vector<int>& ids,
-                           const std::string& source) {
+std::size_t swimmer_with_id(int id, const std::vector<int>& ids, const std::string& flag,
+                            const std::string& source) {
+  if (const auto found = std::ranges::find(ids, id); found != ids.end()) return found - ids.begin();
   const auto distance = [id](int other) { return std::abs(static_cast<long>(other) - id); };
   const int nearest = *std::ranges::min_element(ids, {}, distance);
   const auto [low, high] = std::ranges::minmax(ids);

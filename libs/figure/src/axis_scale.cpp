@@ -107,6 +107,17 @@ AxisScale logarithmic_scale(double low, double high) {
   return scale;
 }
 
+AxisScale exact_scale(double low, double high, ScaleKind kind) {
+  AxisScale scale =
+      kind == ScaleKind::linear ? linear_scale(low, high, TickKind::any) : logarithmic_scale(low, high);
+  scale.low = low;
+  scale.high = high;
+  const auto is_outside = [&](double value) { return value < low || value > high; };
+  std::erase_if(scale.ticks, [&](const Tick& tick) { return is_outside(tick.value); });
+  std::erase_if(scale.minor_ticks, is_outside);
+  return scale;
+}
+
 std::string power_of_ten(int exponent) {
   constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text = exponent < 0 ? "10⁻" : "10";

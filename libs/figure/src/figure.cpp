@@ -8,8 +8,10 @@
 #include <set>
 #include <tuple>
 
+#include "beadswim/core/csv.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "plot_area.hpp"
 #include "svg.hpp"
 
 namespace beadswim {
@@ -20,35 +22,11 @@ constexpr double line_width = 1.8, faint_line_width = 1.1;
 constexpr double faint_opacity = 0.65;
 
 // Dimensions of the page [px].
-constexpr double margin = 16;
-constexpr double plot_left = 84;
-constexpr double plot_width = 440;
-constexpr double plot_height = 220;
 constexpr double first_plot_top = 52;
-constexpr double panel_pitch = plot_height + 66;  // includes space for tick labels and the x label
-constexpr double legend_left = plot_left + plot_width + 18;
+constexpr double below_plot = 66;  // for tick labels and the x label
+constexpr double legend_left = plot_left + panel_width + legend_gap;
 constexpr double legend_key_width = 30;
 constexpr double line_pitch = 18;
-constexpr double tick_length = 5, minor_tick_length = 3;
-constexpr double title_size = 14, label_size = 12.5, tick_size = 11;
-
-const svg::Stroke frame_stroke{.colour = "#000000", .width = 1, .dashes = ""};
-const svg::Stroke grid_stroke{.colour = "#e4e4e4", .width = 0.8, .dashes = ""};
-
-/// Position of a panel on the page, and its mapping of data to points on the page.
-struct PlotArea {
-  double top = 0;
-  AxisScale x, y;
-
-  svg::Point at(double data_x, double data_y) const {
-    return {plot_left + plot_width * x.fraction(data_x), top + plot_height * (1 - y.fraction(data_y))};
-  }
-  double bottom() const { return top + plot_height; }
-  /// Returns true if the point is in the plot between top and bottom; false for a non-finite point.
-  bool contains(const svg::Point& point) const {
-    return std::isfinite(point.x) && point.y >= top && point.y <= bottom();
-  }
-};
 
 /// Returns true if an axis with this scale can show the value.
 bool can_show(double value, ScaleKind scale) {
@@ -113,47 +91,6 @@ PlotArea plot_area(const Panel& panel, double top) {
           .y = axis_scale(range.min().y(), range.max().y(), panel.y_scale, TickKind::any)};
 }
 
-/// Returns the text of an axis label with unit, for example "velocity (10⁻⁵ um/s)". The text contains the
-/// power of ten by which the tick labels must be multiplied.
-std::string label_text(const AxisLabel& label, int exponent) {
-  const std::string power = exponent == 0 ? "" : power_of_ten(exponent);
-  const std::string gap = power.empty() || label.unit.empty() ? "" : " ";
-  const std::string unit = power + gap + label.unit;
-  return unit.empty() ? label.quantity : fmt::format("{} ({})", label.quantity, unit);
-}
-
-std::string draw_x_axis(const PlotArea& area, const AxisLabel& label) {
-  std::string elements;
-  for (const auto& [tick, tick_label] : area.x.ticks) {
-    const double x = area.at(tick, area.y.low).x;
-    elements += svg::line({x, area.top}, {x, area.bottom()}, grid_stroke);
-    elements += svg::line({x, area.bottom()}, {x, area.bottom() + tick_length}, frame_stroke);
-    elements += svg::text({x, area.bottom() + 18}, tick_label, {tick_size, svg::Anchor::middle});
-  }
-  for (const double tick : area.x.minor_ticks) {
-    const double x = area.at(tick, area.y.low).x;
-    elements += svg::line({x, area.bottom()}, {x, area.bottom() + minor_tick_length}, frame_stroke);
-  }
-  return elements + svg::text({plot_left + plot_width / 2, area.bottom() + 38},
-                              label_text(label, area.x.exponent), {label_size, svg::Anchor::middle});
-}
-
-std::string draw_y_axis(const PlotArea& area, const AxisLabel& label) {
-  std::string elements;
-  for (const auto& [tick, tick_label] : area.y.ticks) {
-    const double y = area.at(area.x.low, tick).y;
-    elements += svg::line({plot_left, y}, {plot_left + plot_width, y}, grid_stroke);
-    elements += svg::line({plot_left - tick_length, y}, {plot_left, y}, frame_stroke);
-    elements += svg::text({plot_left - tick_length - 4, y + 4}, tick_label, {tick_size, svg::Anchor::end});
-  }
-  for (const double tick : area.y.minor_ticks) {
-    const double y = area.at(area.x.low, tick).y;
-    elements += svg::line({plot_left - minor_tick_length, y}, {plot_left, y}, frame_stroke);
-  }
-  return elements + svg::text({margin + 8, area.top + plot_height / 2}, label_text(label, area.y.exponent),
-                              {.size = label_size, .anchor = svg::Anchor::middle, .rotation = -90});
-}
-
 svg::Stroke line_stroke(const Series& series) {
   const bool plain = series.emphasis == Emphasis::plain;
   return {.colour = svg::palette[svg::palette_place(series.colour)],
@@ -178,7 +115,7 @@ std::string draw_points(const Series& series, const std::vector<svg::Point>& poi
 /// Returns the point on the page, moved to the edge of the plot if it lies above or below.
 svg::Point inside_plot(const PlotArea& area, double x, double y) {
   svg::Point point = area.at(x, y);
-  point.y = std::isfinite(point.y) ? std::clamp(point.y, area.top, area.bottom()) : area.bottom();
+  point.y() = std::isfinite(point.y()) ? std::clamp(point.y(), area.top, area.bottom()) : area.bottom();
   return point;
 }
 
@@ -200,14 +137,14 @@ std::string draw_errors(const PlotArea& area, const Series& series) {
   };
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     const svg::Point point = area.at(series.x[i], series.y[i]);
-    if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
+    if (!point.allFinite()) {
       close_band();
       continue;
     }
     const svg::Point high = inside_plot(area, series.x[i], series.y[i] + error_at(series, i));
     const svg::Point low = inside_plot(area, series.x[i], series.y[i] - error_at(series, i));
     if (series.mark == Mark::points) {
-      if (high.y < low.y) elements += svg::line(low, high, bar);
+      if (high.y() < low.y()) elements += svg::line(low, high, bar);
     } else {
       upper.push_back(high);
       lower.push_back(low);
@@ -262,58 +199,18 @@ std::string draw_legend(double top, const std::vector<Series>& entries) {
   return elements;
 }
 
-/// Returns a colour from dark blue (0) over green to yellow (1), whose lightness grows evenly. The stops are
-/// those of the colour map viridis of Matplotlib (Smith & van der Walt, 2015, CC0).
-std::string map_colour(double share) {
-  constexpr std::array stops{"#440154", "#472c7a", "#3b518b", "#2c718e", "#21908d",
-                             "#27ad81", "#5cc863", "#aadc32", "#fde725"};
-  const double place = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
-  const std::size_t before = std::min(static_cast<std::size_t>(place), stops.size() - 2);
-  return svg::mixed(stops[before], stops[before + 1], place - static_cast<double>(before));
-}
-
-std::pair<double, double> value_range(const Panel& panel) {
+ColourScale colours_of(const Panel& panel) {
   const auto [lowest, highest] = std::ranges::minmax(panel.cells, {}, &MapCell::value);
-  return {lowest.value, highest.value};
+  return {exact_scale(lowest.value, highest.value, ScaleKind::linear), dark_to_light};
 }
 
 std::string draw_map(const PlotArea& area, const Panel& panel) {
   std::string elements;
-  const auto [low, high] = value_range(panel);
+  const ColourScale scale = colours_of(panel);
   for (const MapCell& cell : panel.cells)
-    elements += svg::area({area.at(cell.x_low, cell.y_low), area.at(cell.x_high, cell.y_low),
-                           area.at(cell.x_high, cell.y_high), area.at(cell.x_low, cell.y_high)},
-                          map_colour(high > low ? (cell.value - low) / (high - low) : 0.5), 1);
-  return elements;
-}
-
-constexpr double bar_width = 16;  // width of the colour bar [px]
-
-/// Draws the colour bar of a map at its right, with ticks and the name of the value.
-std::string draw_colour_bar(const PlotArea& area, const Panel& panel) {
-  constexpr int steps = 64;
-  constexpr double top_room = 26;
-  const auto [low, high] = value_range(panel);
-  const double top = area.top + top_room, height = area.bottom() - top;
-  const AxisScale scale = linear_scale(low, high, TickKind::any);
-  std::string elements = svg::text({legend_left, area.top + 10},
-                                   label_text(panel.value_label, scale.exponent), {.size = label_size});
-  for (int s = 0; s < steps; ++s) {
-    const double upper = top + height * (steps - 1 - s) / steps, lower = upper + height / steps + 0.5;
-    elements += svg::area({{legend_left, lower},
-                           {legend_left + bar_width, lower},
-                           {legend_left + bar_width, upper},
-                           {legend_left, upper}},
-                          map_colour((s + 0.5) / steps), 1);
-  }
-  for (const auto& [tick, label] : scale.ticks) {
-    if (tick < low || tick > high) continue;
-    const double y = high > low ? area.bottom() - height * (tick - low) / (high - low) : top + height / 2;
-    elements +=
-        svg::line({legend_left + bar_width, y}, {legend_left + bar_width + tick_length, y}, frame_stroke);
-    elements += svg::text({legend_left + bar_width + tick_length + 4, y + 4}, label, {tick_size});
-  }
-  return elements;
+    elements += svg::filled_rectangle(area.at(cell.x_low, cell.y_low), area.at(cell.x_high, cell.y_high),
+                                      scale.colour(scale.share_of(cell.value)));
+  return elements + draw_colour_bar({area.legend_left(), area.top}, area.height, scale, panel.value_label);
 }
 
 double title_height(const Panel& panel) {
@@ -323,8 +220,8 @@ double title_height(const Panel& panel) {
 std::string draw_panel(const Panel& panel, double top) {
   const PlotArea area = plot_area(panel, top);
   std::string elements = draw_x_axis(area, panel.x_label) + draw_y_axis(area, panel.y_label);
-  if (!panel.cells.empty()) elements += draw_map(area, panel) + draw_colour_bar(area, panel);
-  elements += svg::rectangle({plot_left, top}, plot_width, plot_height, frame_stroke);
+  if (!panel.cells.empty()) elements += draw_map(area, panel);
+  elements += svg::rectangle({plot_left, top}, area.width, area.height, frame_stroke);
   for (const bool points : {false, true})  // lines are drawn first, so that they do not hide points
     for (const Series& series : panel.series)
       if ((series.mark == Mark::points) == points) elements += draw_series(area, series);
@@ -341,7 +238,7 @@ std::string draw_panels(const Figure& figure, double& top) {
   for (const Panel& panel : figure.panels) {
     top += title_height(panel);
     elements += draw_panel(panel, top);
-    double height = panel_pitch;
+    double height = panel_height + below_plot;
     if (!figure.has_common_legend) {
       elements += draw_legend(top, panel.series);
       height = std::max(height, legend_height(panel.series));
@@ -357,17 +254,15 @@ std::string draw_panels(const Figure& figure, double& top) {
 }
 
 double page_width(const Figure& figure) {
-  double right = std::max(plot_left + plot_width, plot_left + svg::text_width(figure.title, title_size));
+  double right = std::max(plot_left + panel_width, plot_left + svg::text_width(figure.title, title_size));
   for (const Panel& panel : figure.panels) {
     for (const Series& series : panel.series) {
       right = std::max(right, legend_left + legend_key_width + 8 + svg::text_width(series.label, tick_size));
     }
     if (panel.cells.empty()) continue;
-    constexpr int likely_exponent = -5;  // exponent of the ticks, for the width of the label
-    right = std::max(
-        right, legend_left + svg::text_width(label_text(panel.value_label, likely_exponent), label_size));
+    right = std::max(right, legend_left + colour_bar_width(panel.value_label));
   }
-  return std::ceil(right + margin);
+  return std::ceil(right + page_margin);
 }
 
 std::string fields_of(const AxisLabel& label) {
@@ -431,8 +326,9 @@ Drawing draw(const Figure& figure) {
   double top = first_plot_top;
   elements += draw_panels(figure, top);
   const double width = page_width(figure);
-  const svg::NoteBlock notes = svg::draw_notes(figure.notes, {plot_left, top}, width - plot_left - margin);
-  return {.svg = svg::document(width, notes.bottom + margin + line_pitch / 3, figure.title,
+  const svg::NoteBlock notes =
+      svg::draw_notes(figure.notes, {plot_left, top}, width - plot_left - page_margin);
+  return {.svg = svg::document(width, notes.bottom + page_margin + line_pitch / 3, figure.title,
                                elements + notes.elements),
           .csv = figure_to_csv(figure)};
 }

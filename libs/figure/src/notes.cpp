@@ -64,11 +64,11 @@ std::vector<std::string> shorten_notes(const std::vector<Note>& notes) {
 }
 
 svg::NoteBlock svg::draw_notes(const std::vector<Note>& notes, svg::Point top_left, double width) {
-  NoteBlock block{.elements = "", .bottom = top_left.y - note_pitch};
+  NoteBlock block{.elements = "", .bottom = top_left.y() - note_pitch};
   for (const std::string& text : shorten_notes(notes)) {
     for (const std::string& line : wrap(text, width)) {
       block.bottom += note_pitch;
-      block.elements += svg::text({top_left.x, block.bottom}, line, {.size = note_size});
+      block.elements += svg::text({top_left.x(), block.bottom}, line, {.size = note_size});
     }
   }
   if (!block.elements.empty()) block.elements = "<g class=\"notes\">\n" + block.elements + "</g>\n";

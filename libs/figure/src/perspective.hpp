@@ -22,28 +22,21 @@ class Perspective {
   Perspective(const Block& block, svg::Point top_left, double width, double height)
       : eye_(block.center() + eye_distance * block.diagonal().norm() * -forward_) {
     PageArea area;
-    for (int corner = 0; corner < 8; ++corner) {
-      const svg::Point at = project(block.corner(Block::CornerType(corner)));
-      area.extend(Eigen::Vector2d(at.x, at.y));
-    }
-    const Eigen::Vector2d size = area.sizes();
-    scale_ = std::min(width / size.x(), height / size.y());
-    shift_ = {top_left.x - scale_ * area.min().x(), top_left.y - scale_ * area.min().y()};
-    width_ = scale_ * size.x();
-    height_ = scale_ * size.y();
+    for (int corner = 0; corner < 8; ++corner) area.extend(project(block.corner(Block::CornerType(corner))));
+    scale_ = std::min(width / area.sizes().x(), height / area.sizes().y());
+    shift_ = top_left - scale_ * area.min();
+    size_ = scale_ * area.sizes();
   }
 
   /// Returns the projection of a point onto the page.
   svg::Point project(const Vec3& point) const {
     const Vec3 d = point - eye_;
-    const double shrink = scale_ / d.dot(forward_);
-    return {shift_.x + shrink * d.dot(right_), shift_.y - shrink * d.dot(up_)};
+    return shift_ + scale_ / d.dot(forward_) * svg::Point(d.dot(right_), -d.dot(up_));
   }
   double depth(const Vec3& point) const { return (point - eye_).dot(forward_); }  ///< from the eye [length]
   /// Returns the projected size [px] of a length that has the depth of the point.
   double projected_size(const Vec3& point, double length) const { return scale_ * length / depth(point); }
-  double width() const { return width_; }    ///< width of the projected block [px]
-  double height() const { return height_; }  ///< height of the projected block [px]
+  const svg::Point& size() const { return size_; }  ///< width and height of the projected block [px]
 
  private:
   static constexpr double eye_distance = 3.2;  // from the centre, relative to the diagonal
@@ -52,8 +45,7 @@ class Perspective {
   const Vec3 right_ = Vec3::UnitZ().cross(-forward_).normalized(), up_ = (-forward_).cross(right_);
   const Vec3 eye_;
   double scale_ = 1;
-  svg::Point shift_{};
-  double width_ = 0, height_ = 0;
+  svg::Point shift_ = svg::Point::Zero(), size_ = svg::Point::Zero();
 };
 
 }  // namespace beadswim

@@ -12,8 +12,8 @@ namespace beadswim::svg {
 namespace {
 
 constexpr double marker_radius = 3.6;
-constexpr double head_length = 7, head_half_width = 2.6;  // size of arrow heads [px]
-constexpr double mean_glyph_width = 0.57;  // relative to the font size, for text in DejaVu Sans
+constexpr double head_slenderness = 7 / 2.6;  // of arrow heads: length over half width
+constexpr double mean_glyph_width = 0.57;     // relative to the font size, for text in DejaVu Sans
 
 /// Formats a number with two decimals. Writes "0.00" instead of "-0.00".
 std::string number(double value) {
@@ -25,7 +25,7 @@ std::string number(double value) {
 std::string coordinates(const std::vector<Point>& points) {
   std::string list;
   for (const Point& point : points) {
-    list += fmt::format("{}{},{}", list.empty() ? "" : " ", number(point.x), number(point.y));
+    list += fmt::format("{}{},{}", list.empty() ? "" : " ", number(point.x()), number(point.y()));
   }
   return list;
 }
@@ -45,8 +45,8 @@ std::string text_element(Point at, const std::string& content, const TextStyle& 
   constexpr std::array anchors{"start", "middle", "end"};
   std::string extra;
   if (style.rotation != 0) {
-    extra =
-        fmt::format(" transform=\"rotate({} {} {})\"", number(style.rotation), number(at.x), number(at.y));
+    extra = fmt::format(" transform=\"rotate({} {} {})\"", number(style.rotation), number(at.x()),
+                        number(at.y()));
   }
   if (style.halo != 0) {
     extra +=
@@ -54,7 +54,7 @@ std::string text_element(Point at, const std::string& content, const TextStyle& 
   }
   return fmt::format(
       "<text x=\"{}\" y=\"{}\" font-size=\"{}\" font-weight=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
-      number(at.x), number(at.y), number(style.size), style.weight,
+      number(at.x()), number(at.y()), number(style.size), style.weight,
       anchors[static_cast<std::size_t>(style.anchor)], extra, content);
 }
 
@@ -62,22 +62,10 @@ std::string text_element(Point at, const std::string& content, const TextStyle& 
 std::string outline(Point centre, double radius, const std::vector<Point>& corners) {
   std::string path;
   for (const Point& corner : corners) {
-    path += fmt::format("{}{} {}", path.empty() ? "M" : " L", number(centre.x + radius * corner.x),
-                        number(centre.y + radius * corner.y));
+    const Point at = centre + radius * corner;
+    path += fmt::format("{}{} {}", path.empty() ? "M" : " L", number(at.x()), number(at.y()));
   }
   return path + " Z";
-}
-
-/// Returns the head, with its tip at `to`, of an arrow that starts at `from`.
-std::string arrow_head(Point from, Point to, const std::string& colour) {
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
-  const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
-  const Point foot{to.x - head_length * along.x, to.y - head_length * along.y};
-  const Point across{-head_half_width * along.y, head_half_width * along.x};
-  return fmt::format(
-      "<path d=\"{}\" fill=\"{}\"/>\n",
-      outline({}, 1, {to, {foot.x + across.x, foot.y + across.y}, {foot.x - across.x, foot.y - across.y}}),
-      colour);
 }
 
 const std::array<std::vector<Point>, 3>& marker_outlines() {
@@ -102,8 +90,8 @@ std::string mixed(const std::string& first, const std::string& second, double sh
 }
 
 std::string line(Point from, Point to, const Stroke& stroke) {
-  return fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>\n", number(from.x), number(from.y),
-                     number(to.x), number(to.y), attributes(stroke));
+  return fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>\n", number(from.x()),
+                     number(from.y()), number(to.x()), number(to.y()), attributes(stroke));
 }
 
 std::string polyline(const std::vector<Point>& points, const Stroke& stroke) {
@@ -112,23 +100,22 @@ std::string polyline(const std::vector<Point>& points, const Stroke& stroke) {
 }
 
 std::vector<std::vector<Point>> visible_parts(const std::vector<Point>& points, double top, double bottom) {
-  const auto is_finite = [](const Point& point) { return std::isfinite(point.x) && std::isfinite(point.y); };
-  const auto contains = [&](const Point& point) { return point.y >= top && point.y <= bottom; };
+  const auto contains = [&](const Point& point) { return point.y() >= top && point.y() <= bottom; };
   const auto exit_point = [&](const Point& inside, const Point& outside) {
-    const double y = outside.y < top ? top : bottom;
-    const double part = (y - inside.y) / (outside.y - inside.y);
-    return Point{inside.x + part * (outside.x - inside.x), y};
+    const double y = outside.y() < top ? top : bottom;
+    const double part = (y - inside.y()) / (outside.y() - inside.y());
+    return Point(inside.x() + part * (outside.x() - inside.x()), y);
   };
   std::vector<std::vector<Point>> parts;
   const Point* last = nullptr;  // nullptr: the line is interrupted before the point
   for (const Point& point : points) {
-    const bool inside = is_finite(point) && contains(point);
+    const bool inside = point.allFinite() && contains(point);
     const bool was_inside = last != nullptr && contains(*last);
     if (inside && !was_inside) parts.emplace_back();
     if (inside && last != nullptr && !was_inside) parts.back().push_back(exit_point(point, *last));
     if (inside) parts.back().push_back(point);
-    if (was_inside && !inside && is_finite(point)) parts.back().push_back(exit_point(*last, point));
-    last = is_finite(point) ? &point : nullptr;
+    if (was_inside && !inside && point.allFinite()) parts.back().push_back(exit_point(*last, point));
+    last = point.allFinite() ? &point : nullptr;
   }
   return parts;
 }
@@ -138,9 +125,13 @@ std::string area(const std::vector<Point>& points, const std::string& fill, doub
                      number(opacity));
 }
 
+std::string filled_rectangle(Point first, Point opposite, const std::string& fill) {
+  return area({first, {opposite.x(), first.y()}, opposite, {first.x(), opposite.y()}}, fill, 1);
+}
+
 std::string rectangle(Point top_left, double width, double height, const Stroke& stroke) {
   return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" {}/>\n",
-                     number(top_left.x), number(top_left.y), number(width), number(height),
+                     number(top_left.x()), number(top_left.y()), number(width), number(height),
                      attributes(stroke));
 }
 
@@ -167,8 +158,15 @@ std::string formula(Point at, const std::string& content, const TextStyle& style
 }
 
 std::string disc(Point centre, double radius, const std::string& fill, const Stroke& stroke) {
-  return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\" {}/>\n", number(centre.x),
-                     number(centre.y), number(radius), fill, attributes(stroke));
+  return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\" {}/>\n", number(centre.x()),
+                     number(centre.y()), number(radius), fill, attributes(stroke));
+}
+
+std::string arrow_head(Point from, Point to, const std::string& colour, double length) {
+  const Point along = (to - from).normalized(), foot = to - length * along;
+  const Point across = length / head_slenderness * Point(-along.y(), along.x());
+  return fmt::format("<path d=\"{}\" fill=\"{}\"/>\n",
+                     outline(Point::Zero(), 1, {to, foot + across, foot - across}), colour);
 }
 
 std::string arrow(Point from, Point to, const Stroke& stroke) {
@@ -186,7 +184,7 @@ std::string marker(Point centre, int shape, const std::string& colour, double op
       fmt::format(R"(fill="{}" stroke="{}" stroke-width="1.30")", fill, colour) + opacity_attribute(opacity);
   const auto corners = static_cast<std::size_t>(form % (marker_shapes / 2));
   if (corners == 0) {
-    return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", number(centre.x), number(centre.y),
+    return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", number(centre.x()), number(centre.y()),
                        number(marker_radius), paint);
   }
   return fmt::format("<path d=\"{}\" {}/>\n", outline(centre, marker_radius, marker_outlines()[corners - 1]),
@@ -209,9 +207,3 @@ std::string document(double width, double height, const std::string& title, cons
 }
 
 }  // namespace beadswim::svg
-
-std::string beadswim::quoted(const std::string& text) {
-  std::string all = "\"";
-  for (const char c : text) all += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return all + "\"";
-}

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/core/vec3.hpp"
 #include "beadswim/figure/drawing.hpp"
 
 // Elements of an SVG document as text. Lengths are in px. Numbers have two decimals, so that the bytes depend
@@ -23,14 +24,13 @@ constexpr std::size_t palette_place(int colour) {
 /// Returns a mixture of two colours "#rrggbb". `share`: weight of the second colour.
 std::string mixed(const std::string& first, const std::string& second, double share);
 
-struct Point {
-  double x = 0, y = 0;
-};
+/// A place on the page, with y downwards.
+using Point = Eigen::Vector2d;
 
 struct Stroke {
   std::string colour;
   double width = 1;
-  std::string dashes;  ///< value of stroke-dasharray; empty: solid line
+  std::string dashes{};  ///< value of stroke-dasharray; empty: solid line
   double opacity = 1;
 };
 
@@ -48,14 +48,15 @@ inline constexpr int marker_shapes = 8;
 
 std::string line(Point from, Point to, const Stroke& stroke);
 std::string polyline(const std::vector<Point>& points, const Stroke& stroke);
-/// Clips the line through `points` to the range between `top` and `bottom`, with y downwards. Returns the
-/// visible parts. The line is interrupted at non-finite points. It is also interrupted between two
-/// consecutive points outside the range: if they are on opposite sides, they indicate a pole, which the line
-/// must not cross.
+/// Clips the line through `points` to the range between `top` and `bottom`. Returns the visible parts. The
+/// line is interrupted at non-finite points. It is also interrupted between two consecutive points outside
+/// the range: if they are on opposite sides, they indicate a pole, which the line must not cross.
 std::vector<std::vector<Point>> visible_parts(const std::vector<Point>& points, double top, double bottom);
 /// Returns a filled area without outline.
 std::string area(const std::vector<Point>& points, const std::string& fill, double opacity);
 std::string disc(Point centre, double radius, const std::string& fill, const Stroke& stroke);
+/// Returns a filled rectangle without outline, between two opposite corners.
+std::string filled_rectangle(Point first, Point opposite, const std::string& fill);
 std::string rectangle(Point top_left, double width, double height, const Stroke& stroke);
 std::string text(Point at, const std::string& content, const TextStyle& style);
 
@@ -63,6 +64,8 @@ std::string text(Point at, const std::string& content, const TextStyle& style);
 /// character.
 std::string formula(Point at, const std::string& content, const TextStyle& style);
 
+/// Returns an arrow head with its tip at `to`, of an arrow that starts at `from`.
+std::string arrow_head(Point from, Point to, const std::string& colour, double length = 7);
 /// Returns a line with an arrow head at its end.
 std::string arrow(Point from, Point to, const Stroke& stroke);
 /// Returns a line with arrow heads at both ends.
@@ -89,10 +92,3 @@ NoteBlock draw_notes(const std::vector<Note>& notes, Point top_left, double widt
 std::string document(double width, double height, const std::string& title, const std::string& elements);
 
 }  // namespace beadswim::svg
-
-namespace beadswim {
-
-/// Returns a text as a field of comma-separated values.
-std::string quoted(const std::string& text);
-
-}  // namespace beadswim

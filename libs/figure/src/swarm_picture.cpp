@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "beadswim/core/csv.hpp"
 #include "beadswim/core/error.hpp"
 #include "perspective.hpp"
+#include "plot_area.hpp"
 
 namespace beadswim {
 namespace {
@@ -15,7 +18,7 @@ namespace {
 constexpr double scale_bar_room = 16;  // below the box [px]
 constexpr double margin = 16;
 constexpr double picture_top = 44, picture_width = 720, picture_height = 560;
-constexpr double title_size = 14, label_size = 12.5, line_pitch = 16;
+constexpr double line_pitch = 16;
 constexpr double bond_width = 0.26;  // relative to reference_radius()
 constexpr double mark_size = 17, halo = 3.5;
 const svg::Stroke edge_stroke{.colour = "#8a8a8a", .width = 0.8, .dashes = ""};
@@ -29,14 +32,55 @@ struct Piece {
   std::string element;
 };
 
+/// Colours of the swimmers of a picture: those of the palette or, if colours show values, those of the map
+/// and grey.
+class SwimmerColours {
+ public:
+  explicit SwimmerColours(const SwarmPicture& picture)
+      : shows_values_(!picture.value_label.quantity.empty()) {
+    if (!shows_values_) {
+      colours_.assign(svg::palette.begin(), svg::palette.end());
+      return;
+    }
+    for (int i = 0; i < shades; ++i) colours_.push_back(dark_to_light(static_cast<double>(i) / (shades - 1)));
+    colours_.emplace_back("#bbbbbb");
+    for (const PicturedSwimmer& swimmer : picture.swimmers) {
+      if (!swimmer.value) continue;
+      low_ = std::min(low_, *swimmer.value);
+      high_ = std::max(high_, *swimmer.value);
+    }
+  }
+
+  const std::vector<std::string>& all() const { return colours_; }
+  /// Returns the index of the colour of a swimmer.
+  std::size_t place_of(const PicturedSwimmer& swimmer) const {
+    if (!shows_values_) return svg::palette_place(swimmer.colour);
+    if (!swimmer.value) return shades;
+    const double share = high_ > low_ ? (*swimmer.value - low_) / (high_ - low_) : 0.5;
+    return static_cast<std::size_t>(std::lround(share * (shades - 1)));
+  }
+  /// Draws the bar of the values; empty if there are none.
+  std::string bar(const SwarmPicture& picture, svg::Point top_left, double height) const {
+    if (high_ < low_) return {};
+    return draw_colour_bar(top_left, height, {exact_scale(low_, high_, ScaleKind::linear), dark_to_light},
+                           picture.value_label);
+  }
+
+ private:
+  static constexpr int shades = 32;
+  bool shows_values_;
+  std::vector<std::string> colours_;
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+};
+
 /// Returns the element of a bead. Numbers have only one decimal, because a swarm has many beads and the
 /// document should be small.
-std::string bead_element(svg::Point centre, double radius, int colour) {
-  return fmt::format("<circle class=\"b{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n",
-                     svg::palette_place(colour), centre.x, centre.y, radius);
+std::string bead_element(svg::Point centre, double radius, std::size_t colour) {
+  return fmt::format("<circle class=\"b{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n", colour, centre.x(),
+                     centre.y(), radius);
 }
 
-Piece bead_piece(const Perspective& view, const PicturedBead& bead, int colour) {
+Piece bead_piece(const Perspective& view, const PicturedBead& bead, std::size_t colour) {
   return {view.depth(bead.centre),
           bead_element(view.project(bead.centre), view.projected_size(bead.centre, bead.radius), colour)};
 }
@@ -49,14 +93,45 @@ Piece bond_piece(const Perspective& view, const PicturedBead& first, const Pictu
   const Vec3 to = second.centre - second.radius * along;
   const svg::Point a = view.project(from), b = view.project(to);
   return {view.depth((from + to) / 2),
-          fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", a.x, a.y, b.x, b.y)};
+          fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", a.x(), a.y(), b.x(), b.y())};
 }
 
-/// Draws all beads and bonds in order of decreasing depth, so that near elements hide far elements.
-std::string draw_swimmers(const SwarmPicture& picture, const Perspective& view) {
+/// Foremost point of a swimmer along its axis, and tip of the triangle there, whose height is the radius of
+/// the foremost bead.
+struct Head {
+  Vec3 base, tip;
+};
+
+Head head_of(const PicturedSwimmer& swimmer) {
+  Vec3 middle = Vec3::Zero();
+  for (const PicturedBead& bead : swimmer.beads)
+    middle += bead.centre / static_cast<double>(swimmer.beads.size());
+  const auto reach = [&](const PicturedBead& bead) { return bead.centre.dot(swimmer.axis) + bead.radius; };
+  const PicturedBead& foremost = *std::ranges::max_element(swimmer.beads, {}, reach);
+  const Vec3 base = middle + (reach(foremost) - middle.dot(swimmer.axis)) * swimmer.axis;
+  return {.base = base, .tip = base + 1.6 * foremost.radius * swimmer.axis};
+}
+
+/// Returns the triangle in front of a swimmer.
+Piece head_piece(const Perspective& view, const PicturedSwimmer& swimmer, std::size_t colour) {
+  const auto [base, tip] = head_of(swimmer);
+  const svg::Point a = view.project(base), b = view.project(tip);
+  const double half_width = view.projected_size(base, 0.45 * (tip - base).norm());
+  const svg::Point along = (b - a).normalized(), side = half_width * svg::Point(-along.y(), along.x());
+  const svg::Point left = a + side, right = a - side;
+  return {view.depth(tip),
+          fmt::format("<polygon class=\"b{}\" points=\"{:.1f},{:.1f} {:.1f},{:.1f} {:.1f},{:.1f}\"/>\n",
+                      colour, b.x(), b.y(), left.x(), left.y(), right.x(), right.y())};
+}
+
+/// Draws all beads, bonds and heads in order of decreasing depth, so that near elements hide far elements.
+std::string draw_swimmers(const SwarmPicture& picture, const SwimmerColours& colours,
+                          const Perspective& view) {
   std::vector<Piece> pieces;
   for (const PicturedSwimmer& swimmer : picture.swimmers) {
-    for (const PicturedBead& bead : swimmer.beads) pieces.push_back(bead_piece(view, bead, swimmer.colour));
+    const std::size_t colour = colours.place_of(swimmer);
+    for (const PicturedBead& bead : swimmer.beads) pieces.push_back(bead_piece(view, bead, colour));
+    if (!swimmer.axis.isZero(0)) pieces.push_back(head_piece(view, swimmer, colour));
     for (const auto& [first, second] : swimmer.bonds)
       pieces.push_back(bond_piece(view, swimmer.beads[first], swimmer.beads[second]));
   }
@@ -66,20 +141,19 @@ std::string draw_swimmers(const SwarmPicture& picture, const Perspective& view) 
   return elements + "</g>\n";
 }
 
-/// Returns the gradients that shade each colour of the palette, with light from the upper left, and the
+/// Returns the gradients that shade each colour, with light from the upper left, and the
 /// styles of beads and bonds.
-std::string definitions(double bond_stroke, double outline) {
+std::string definitions(const std::vector<std::string>& colours, double bond_stroke, double outline) {
   std::string gradients, fills;
-  for (std::size_t i = 0; i < svg::palette.size(); ++i) {
+  for (std::size_t i = 0; i < colours.size(); ++i) {
     gradients += fmt::format(
         "<radialGradient id=\"g{}\" cx=\"0.36\" cy=\"0.32\" r=\"0.72\"><stop offset=\"0\" stop-color=\"{}\"/>"
         "<stop offset=\"0.45\" stop-color=\"{}\"/><stop offset=\"1\" stop-color=\"{}\"/></radialGradient>\n",
-        i, svg::mixed(svg::palette[i], "#ffffff", 0.62), svg::palette[i],
-        svg::mixed(svg::palette[i], "#000000", 0.42));
+        i, svg::mixed(colours[i], "#ffffff", 0.62), colours[i], svg::mixed(colours[i], "#000000", 0.42));
     fills += fmt::format(".b{0}{{fill:url(#g{0})}}", i);
   }
   return fmt::format(
-      "<defs>\n{}<style>{} .s circle{{stroke:#222222;stroke-width:{:.2f}}} "
+      "<defs>\n{}<style>{} .s circle,.s polygon{{stroke:#222222;stroke-width:{:.2f}}} "
       ".s path{{stroke:#6e6e6e;stroke-width:{:.2f};stroke-linecap:butt}}</style>\n</defs>\n",
       gradients, fills, outline, bond_stroke);
 }
@@ -108,20 +182,19 @@ std::string draw_edges(const SwarmPicture& picture, const Perspective& view, boo
 /// Draws the names of the axes at the midpoints of three edges of the outline, where there are few beads.
 std::string draw_axis_names(const SwarmPicture& picture, const Perspective& view) {
   const Vec3& box = picture.box;
-  const svg::Point x = view.project({box.x() / 2, box.y(), box.z()}),
-                   y = view.project({0, box.y() / 2, box.z()}), z = view.project({0, 0, box.z() / 2});
-  const svg::TextStyle style{label_size, svg::Anchor::middle};
-  return svg::text({x.x, x.y - 8}, "x", style) + svg::text({y.x - 8, y.y - 8}, "y", style) +
-         svg::text({z.x - 10, z.y + 4}, "z", style);
+  const auto name = [&](const char* axis, const Vec3& middle, const svg::Point& shift) {
+    return svg::text(view.project(middle) + shift, axis, {label_size, svg::Anchor::middle});
+  };
+  return name("x", {box.x() / 2, box.y(), box.z()}, {0, -8}) +
+         name("y", {0, box.y() / 2, box.z()}, {-8, -8}) + name("z", {0, 0, box.z() / 2}, {-10, 4});
 }
 
 /// Draws the marks above their beads.
 std::string draw_marks(const SwarmPicture& picture, const Perspective& view) {
   std::string elements;
   for (const PictureMark& mark : picture.marks) {
-    const svg::Point at = view.project(mark.bead.centre);
-    const double above = view.projected_size(mark.bead.centre, mark.bead.radius) + 4;
-    elements += svg::text({at.x, at.y - above}, mark.name,
+    const svg::Point above(0, view.projected_size(mark.bead.centre, mark.bead.radius) + 4);
+    elements += svg::text(view.project(mark.bead.centre) - above, mark.name,
                           {.size = mark_size, .anchor = svg::Anchor::middle, .weight = "bold", .halo = halo});
   }
   return elements;
@@ -135,17 +208,11 @@ std::string draw_distance(const PictureDistance& distance, const Perspective& vi
   std::string elements = svg::line(bead, a, witness_stroke) +
                          svg::line(view.project(distance.to), b, witness_stroke) +
                          svg::double_arrow(a, b, distance_stroke);
-  svg::Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
-  const bool level = std::abs(b.x - a.x) > 3 * std::abs(b.y - a.y);
-  if (level) {
-    middle.y += a.y > bead.y ? 1.3 * label_size : -0.5 * label_size;
-  } else {
-    middle.x += 0.6 * label_size;
-    middle.y += 0.6 * label_size;
-  }
+  const bool level = std::abs(b.x() - a.x()) > 3 * std::abs(b.y() - a.y());
+  const svg::Point shift = level ? svg::Point(0, a.y() > bead.y() ? 1.3 : -0.5) : svg::Point(0.6, 0.6);
   return elements +
          svg::formula(
-             middle, distance.label,
+             (a + b) / 2 + label_size * shift, distance.label,
              {.size = label_size, .anchor = level ? svg::Anchor::middle : svg::Anchor::start, .halo = halo});
 }
 
@@ -157,15 +224,12 @@ double round_length(double limit) {
 
 /// Draws a bar below the lower front edge of the box, with its length there.
 std::string draw_scale_bar(const SwarmPicture& picture, const Perspective& view) {
-  constexpr double below = 12, half_end = 3;  // [px]
+  const svg::Point below(0, 12), half_end(0, 3);  // [px]
   const double length = round_length(picture.box.x() / 4);
-  svg::Point a = view.project(Vec3::Zero()), b = view.project({length, 0, 0});
-  a.y += below;
-  b.y += below;
+  const svg::Point a = view.project(Vec3::Zero()) + below, b = view.project({length, 0, 0}) + below;
   std::string elements = svg::line(a, b, distance_stroke);
-  for (const svg::Point& end : {a, b})
-    elements += svg::line({end.x, end.y - half_end}, {end.x, end.y + half_end}, distance_stroke);
-  return elements + svg::text({a.x, b.y + label_size + 3},
+  for (const svg::Point& end : {a, b}) elements += svg::line(end - half_end, end + half_end, distance_stroke);
+  return elements + svg::text({a.x(), b.y() + label_size + 3},
                               fmt::format("{:g} {}", length, picture.length_unit),
                               {.size = label_size, .anchor = svg::Anchor::start, .halo = halo});
 }
@@ -174,7 +238,7 @@ std::string draw_keys(const SwarmPicture& picture, double top) {
   std::string elements;
   double x = margin + 6;
   for (std::size_t colour = 0; colour < picture.keys.size(); ++colour) {
-    elements += bead_element({x, top - 4}, 6, static_cast<int>(colour));
+    elements += bead_element({x, top - 4}, 6, svg::palette_place(static_cast<int>(colour)));
     elements += svg::text({x + 12, top}, picture.keys[colour], {label_size});
     x += 12 + svg::text_width(picture.keys[colour], label_size) + 20;
   }
@@ -189,15 +253,16 @@ Block extent_of(const SwarmPicture& picture) {
       const Vec3 radius = Vec3::Constant(bead.radius);
       block.extend(bead.centre - radius).extend(bead.centre + radius);
     }
+    if (!swimmer.axis.isZero(0)) block.extend(head_of(swimmer).tip);
   }
   for (const PictureDistance& distance : picture.distances)
     for (const Vec3& bead : {distance.from, distance.to}) block.extend(bead + 2 * distance.arrow_offset);
   return block;
 }
 
-/// Returns the width of the widest distance label [px], for which there must be space beside the swarm.
+/// Returns the space beside the swarm for the widest distance label, or for the colour bar [px].
 double label_room(const SwarmPicture& picture) {
-  double room = 0;
+  double room = picture.value_label.quantity.empty() ? 0 : colour_bar_width(picture.value_label) + margin;
   for (const PictureDistance& distance : picture.distances)
     room = std::max(room, svg::text_width(distance.label, label_size));
   return room;
@@ -212,12 +277,16 @@ double reference_radius(const SwarmPicture& picture) {
 }
 
 std::string beads_to_csv(const SwarmPicture& picture) {
-  std::string lines = "swimmer,bead,x,y,z,radius,unit\n";
+  const bool has_values = !picture.value_label.quantity.empty();
+  std::string lines = "swimmer,bead,x,y,z,radius,unit" +
+                      (has_values ? "," + quoted(label_text(picture.value_label, 0)) : "") + "\n";
   for (const PicturedSwimmer& swimmer : picture.swimmers) {
     for (std::size_t b = 0; b < swimmer.beads.size(); ++b) {
       const Vec3 place = swimmer.beads[b].centre + picture.origin;
-      lines += fmt::format("{},{},{},{},{},{},{}\n", swimmer.id, b + 1, place.x(), place.y(), place.z(),
+      lines += fmt::format("{},{},{},{},{},{},{}", swimmer.id, b + 1, place.x(), place.y(), place.z(),
                            swimmer.beads[b].radius, quoted(picture.length_unit));
+      if (has_values) lines += swimmer.value ? fmt::format(",{}", *swimmer.value) : ",";
+      lines += "\n";
     }
   }
   return lines;
@@ -231,14 +300,18 @@ Drawing draw(const SwarmPicture& picture) {
                      "there is no swimmer to draw; give a layout or a trajectory that contains swimmers");
   const Perspective view(extent_of(picture), {margin, picture_top}, picture_width, picture_height);
   const double radius = view.projected_size(picture.box / 2, reference_radius(picture));
-  const double width = std::max(view.width() + label_room(picture) + 2 * margin, 420.0);
-  double top = picture_top + view.height() + 12 + scale_bar_room;
+  const double width = std::max(view.size().x() + label_room(picture) + 2 * margin, 420.0);
+  const SwimmerColours colours(picture);
+  double top = picture_top + view.size().y() + 12 + scale_bar_room;
 
-  std::string elements = definitions(std::max(0.3, bond_width * radius), std::clamp(radius / 15, 0.1, 0.6));
+  std::string elements =
+      definitions(colours.all(), std::max(0.3, bond_width * radius), std::clamp(radius / 15, 0.1, 0.6));
   elements += svg::text({margin, 28}, picture.title,
                         {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
   elements += draw_edges(picture, view, true);
-  elements += draw_swimmers(picture, view);
+  elements += draw_swimmers(picture, colours, view);
+  elements += colours.bar(picture, {2 * margin + view.size().x(), picture_top},
+                          std::clamp(view.size().y(), 90.0, 240.0));
   elements += draw_edges(picture, view, false) + draw_axis_names(picture, view);
   for (const PictureDistance& distance : picture.distances) elements += draw_distance(distance, view);
   elements += draw_marks(picture, view) + draw_scale_bar(picture, view);

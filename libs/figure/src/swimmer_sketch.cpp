@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/core/csv.hpp"
 #include "svg.hpp"
 
 namespace beadswim {
@@ -37,7 +38,7 @@ struct PageLayout {
   std::array<double, 3> radii{};
   double top = 0, bottom = 0;  ///< y coordinates of top and bottom of the largest bead [px]
 
-  double end() const { return centres[2].x + radii[2]; }
+  double end() const { return centres[2].x() + radii[2]; }
 };
 
 PageLayout lay_out_page(const SwimmerSketch& sketch) {
@@ -58,31 +59,32 @@ PageLayout lay_out_page(const SwimmerSketch& sketch) {
 /// Draws a spring between the surfaces of two beads. Each of the two straight ends has an eighth of the
 /// length of the spring.
 std::string draw_spring(svg::Point from, double length) {
-  std::vector<svg::Point> points{from, {from.x + length / 8, from.y}};
+  std::vector<svg::Point> points{from, {from.x() + length / 8, from.y()}};
   const double turn = 0.75 * length / spring_turns;
   for (int i = 0; i < spring_turns; ++i) {
-    const double x = from.x + length / 8 + i * turn;
-    points.push_back({x + turn / 4, from.y - spring_height});
-    points.push_back({x + 3 * turn / 4, from.y + spring_height});
+    const double x = from.x() + length / 8 + i * turn;
+    points.push_back({x + turn / 4, from.y() - spring_height});
+    points.push_back({x + 3 * turn / 4, from.y() + spring_height});
   }
-  points.push_back({from.x + 7 * length / 8, from.y});
-  points.push_back({from.x + length, from.y});
+  points.push_back({from.x() + 7 * length / 8, from.y()});
+  points.push_back({from.x() + length, from.y()});
   return svg::polyline(points, spring_stroke);
 }
 
 /// Draws a dashpot: a piston in a cylinder that is open at the right.
 std::string draw_dashpot(svg::Point from, double length) {
-  const double left = from.x + 0.36 * length, piston = from.x + 0.52 * length, right = from.x + 0.64 * length;
-  const double up = from.y - dashpot_height, down = from.y + dashpot_height;
+  const double left = from.x() + 0.36 * length, piston = from.x() + 0.52 * length,
+               right = from.x() + 0.64 * length;
+  const double up = from.y() - dashpot_height, down = from.y() + dashpot_height;
   return svg::polyline({{right, up}, {left, up}, {left, down}, {right, down}}, spring_stroke) +
-         svg::line(from, {left, from.y}, spring_stroke) +
+         svg::line(from, {left, from.y()}, spring_stroke) +
          svg::line({piston, up + 2}, {piston, down - 2}, spring_stroke) +
-         svg::line({piston, from.y}, {from.x + length, from.y}, spring_stroke);
+         svg::line({piston, from.y()}, {from.x() + length, from.y()}, spring_stroke);
 }
 
 /// Returns the distance between the surfaces of the two beads of an arm [px].
 double gap(const PageLayout& page, std::size_t arm) {
-  return page.centres[arm + 1].x - page.radii[arm + 1] - page.centres[arm].x - page.radii[arm];
+  return page.centres[arm + 1].x() - page.radii[arm + 1] - page.centres[arm].x() - page.radii[arm];
 }
 
 /// Returns true if the labels of springs and dashpots fit between the beads. Otherwise they are drawn below
@@ -96,16 +98,17 @@ bool labels_fit(const SwimmerSketch& sketch, const PageLayout& page) {
 }
 
 std::string draw_arm(const SwimmerSketch& sketch, const PageLayout& page, std::size_t arm) {
-  const svg::Point from{page.centres[arm].x + page.radii[arm], page.centres[arm].y};
-  const double length = gap(page, arm), middle = from.x + length / 2;
+  const svg::Point from{page.centres[arm].x() + page.radii[arm], page.centres[arm].y()};
+  const double length = gap(page, arm), middle = from.x() + length / 2;
   const bool damped = !sketch.dashpot_labels[arm].empty();
-  const double up = damped ? from.y - arm_offset : from.y, down = from.y + arm_offset;
+  const double up = damped ? from.y() - arm_offset : from.y(), down = from.y() + arm_offset;
   const bool inside = labels_fit(sketch, page);
   const double below = page.bottom + lengths_height;
-  std::string elements = draw_spring({from.x, up}, length);
+  std::string elements = draw_spring({from.x(), up}, length);
   if (damped) {
-    elements += draw_dashpot({from.x, down}, length);
-    for (const double x : {from.x, from.x + length}) elements += svg::line({x, up}, {x, down}, spring_stroke);
+    elements += draw_dashpot({from.x(), down}, length);
+    for (const double x : {from.x(), from.x() + length})
+      elements += svg::line({x, up}, {x, down}, spring_stroke);
     elements += svg::text({middle, inside ? down + dashpot_height + 15 : below + line_pitch},
                           sketch.dashpot_labels[arm], {label_size, svg::Anchor::middle});
   }
@@ -118,45 +121,44 @@ std::string draw_bead(const SwimmerSketch& sketch, const PageLayout& page, std::
   const svg::Point centre = page.centres[bead];
   const double radius = page.radii[bead], slant = radius * std::sqrt(0.5);
   return svg::disc(centre, radius, bead_fill, bead_stroke) +
-         svg::line(centre, {centre.x + slant, centre.y + slant}, length_stroke) +
-         svg::text({centre.x, centre.y - 4}, fmt::format("{}", bead + 1),
+         svg::line(centre, {centre.x() + slant, centre.y() + slant}, length_stroke) +
+         svg::text({centre.x(), centre.y() - 4}, fmt::format("{}", bead + 1),
                    {.size = std::clamp(radius / 2, 7.0, label_size),
                     .anchor = svg::Anchor::middle,
                     .weight = "bold"}) +
-         svg::text({centre.x + 5, page.bottom + 15}, sketch.radius_labels[bead], {label_size});
+         svg::text({centre.x() + 5, page.bottom + 15}, sketch.radius_labels[bead], {label_size});
 }
 
 /// Draws the force above a bead. The force on the middle bead has the opposite direction.
 std::string draw_force(const SwimmerSketch& sketch, const PageLayout& page, std::size_t bead) {
   const double sign = bead == 1 ? -1 : 1;
-  const svg::Point half{sign * force_length / 2 * std::cos(sketch.force_angle),
-                        -sign * force_length / 2 * std::sin(sketch.force_angle)};
-  const svg::Point middle{page.centres[bead].x, page.top - force_gap - std::abs(half.y)};
-  return svg::arrow({middle.x - half.x, middle.y - half.y}, {middle.x + half.x, middle.y + half.y},
-                    force_stroke) +
-         svg::text({middle.x, middle.y - std::abs(half.y) - 10}, sketch.force_labels[bead],
+  const svg::Point half =
+      sign * force_length / 2 * svg::Point(std::cos(sketch.force_angle), -std::sin(sketch.force_angle));
+  const svg::Point middle(page.centres[bead].x(), page.top - force_gap - std::abs(half.y()));
+  return svg::arrow(middle - half, middle + half, force_stroke) +
+         svg::text({middle.x(), middle.y() - std::abs(half.y()) - 10}, sketch.force_labels[bead],
                    {label_size, svg::Anchor::middle});
 }
 
 std::string draw_length(const SwimmerSketch& sketch, const PageLayout& page, std::size_t arm) {
   const double y = page.bottom + 34;
-  const svg::Point from{page.centres[arm].x, y}, to{page.centres[arm + 1].x, y};
-  return svg::double_arrow(from, to, length_stroke) + svg::text({(from.x + to.x) / 2, y + 16},
+  const svg::Point from{page.centres[arm].x(), y}, to{page.centres[arm + 1].x(), y};
+  return svg::double_arrow(from, to, length_stroke) + svg::text((from + to) / 2 + svg::Point(0, 16),
                                                                 sketch.length_labels[arm],
                                                                 {label_size, svg::Anchor::middle});
 }
 
 std::string draw_axis(const PageLayout& page) {
-  const double y = page.centres[0].y;
+  const double y = page.centres[0].y();
   std::string elements = svg::arrow({page.end(), y}, {page.end() + 46, y}, axis_stroke) +
                          svg::text({page.end() + 52, y + 4}, "axis", {label_size});
   for (const svg::Point& centre : page.centres)
-    elements += svg::line(centre, {centre.x, page.bottom + 38}, witness_stroke);
+    elements += svg::line(centre, {centre.x(), page.bottom + 38}, witness_stroke);
   return elements;
 }
 
 double page_width(const SwimmerSketch& sketch, const PageLayout& page) {
-  const double label_end = page.centres[2].x + svg::text_width(sketch.force_labels[2], label_size) / 2;
+  const double label_end = page.centres[2].x() + svg::text_width(sketch.force_labels[2], label_size) / 2;
   return std::max(page.end() + 90, label_end) + margin;
 }
 

@@ -12,11 +12,6 @@
 namespace beadswim {
 namespace {
 
-/// Returns the first cell of part p if n cells are divided into `parts` parts.
-int cut(int n, int parts, int p) {
-  return static_cast<int>(static_cast<long>(n) * p / parts);
-}
-
 /// Returns the numbers of blocks along x, y and z (in total `ranks`) for which the halo exchange is cheapest.
 /// Returns 0 in all components if there is no grid whose blocks are thick enough.
 Index3 cheapest_grid(const SharedCells& shared, int ranks) {
@@ -43,15 +38,12 @@ Index3 cheapest_grid(const SharedCells& shared, int ranks) {
   return best;
 }
 
-bool can_share(const SharedCells& shared, int ranks) {
-  return (cheapest_grid(shared, ranks) > 0).all();
-}
-
 }  // namespace
 
 void require_grids(const std::vector<SharedCells>& lattices, int ranks) {
   const auto refused = [&](int n) {
-    return std::ranges::find_if(lattices, [n](const SharedCells& shared) { return !can_share(shared, n); });
+    return std::ranges::find_if(
+        lattices, [n](const SharedCells& shared) { return (cheapest_grid(shared, n) == 0).any(); });
   };
   const auto first = refused(ranks);
   if (first == lattices.end()) return;
@@ -61,11 +53,10 @@ void require_grids(const std::vector<SharedCells>& lattices, int ranks) {
   std::string choice = first->thickness > 1 ? fmt::format("another {}", Setting::bead_boundary) : "";
   if (fewer > 0)
     choice = fmt::format("{} {}{}{}", Setting::ranks, fewer, choice.empty() ? "" : " or ", choice);
-  throw InputError(
-      Setting::ranks,
-      fmt::format("{} ranks cannot share {} x {} x {} cells, because each block needs at least {} along each "
-                  "axis; use {}",
-                  ranks, cells[0], cells[1], cells[2], first->thickness, choice));
+  throw InputError(Setting::ranks,
+                   "{} ranks cannot share {} x {} x {} cells, because each block needs at least {} along "
+                   "each axis; use {}",
+                   ranks, cells[0], cells[1], cells[2], first->thickness, choice);
 }
 
 Decomposition::Decomposition(const Block& lattice, int ranks, int thickness) : lattice_(lattice) {
@@ -83,24 +74,17 @@ int Decomposition::rank_at(const Index3& p) const {
 }
 
 Block Decomposition::block(int rank) const {
-  const Index3 p = grid_position(rank);
-  Block block;
-  for (int a = 0; a < 3; ++a) {
-    const int first = cut(cells()[a], grid_[a], p[a]), end = cut(cells()[a], grid_[a], p[a] + 1);
-    block.offset[a] = lattice_.offset[a] + first;
-    block.size[a] = end - first;
-  }
-  return block;
+  const auto first_cell = [&](const Index3& position) -> Index3 {
+    return (cells().cast<long>() * position.cast<long>() / grid_.cast<long>()).cast<int>();
+  };
+  const Index3 position = grid_position(rank), first = first_cell(position);
+  return {.offset = lattice_.offset + first, .size = first_cell(position + 1) - first};
 }
 
 int Decomposition::rank_of_cell(const Index3& cell) const {
-  Index3 p;
-  for (int a = 0; a < 3; ++a) {
-    // Inverse of cut(): the last part whose first cell is not beyond `cell`.
-    const long end = cell[a] - lattice_.offset[a] + 1;
-    p[a] = static_cast<int>((end * grid_[a] - 1) / cells()[a]);
-  }
-  return rank_at(p);
+  // The last position in the grid whose first cell is not beyond `cell`.
+  const Eigen::Array<long, 3, 1> end = (cell - lattice_.offset).cast<long>() + 1;
+  return rank_at(((end * grid_.cast<long>() - 1) / cells().cast<long>()).cast<int>());
 }
 
 }  // namespace beadswim

@@ -4,10 +4,6 @@
 #include "row_kernels.hpp"
 
 #include "beadswim/core/kernel.hpp"
-#include "beadswim/core/order_free_lanes.hpp"
-#include "beadswim/lattice/body_force.hpp"
-#include "beadswim/lattice/d3q19.hpp"
-#include "beadswim/lattice/trt.hpp"
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 

@@ -26,5 +26,12 @@ inline auto flat(const Beads& beads) {
 inline auto flat(Beads& beads) {
   return Eigen::Map<Eigen::VectorXd>(beads[0].data(), 3 * std::ssize(beads));
 }
+/// Returns a view of numbers as a vector.
+inline auto flat(const std::vector<double>& numbers) {
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data(), std::ssize(numbers));
+}
+inline auto flat(std::vector<double>& numbers) {
+  return Eigen::Map<Eigen::VectorXd>(numbers.data(), std::ssize(numbers));
+}
 
 }  // namespace beadswim

@@ -30,61 +30,107 @@ constexpr double own_move_limit = 1e-3, own_move_tolerance = 1e-6, joint_move_to
                  joint_move_limit = 0.5;
 constexpr int max_own_iterations = 20, max_iterations = 10;
 
-}  // namespace
-
-ImplicitStep::ImplicitStep(const OverdampedScene& scene, std::span<const double> radii, Mobility& mobility,
-                           const Communicator& communicator)
-    : scene_{.scene = scene, .radii = radii, .communicator = communicator},
-      mobility_(mobility),
-      smallest_radius_(*std::ranges::min_element(radii)) {
-  if (scene.memory) fluid_mass_ = scene.memory->density * scene.box->lengths.prod();
-  for (const double mass : scene_.excess_masses) excess_share_ += mass / fluid_mass_;
-  for (const SwimmerType& type : scene.types)
-    for (const Bond& bond : type.bonds) shortest_arm_ = std::min(shortest_arm_, bond.rest_length);
+double shortest_arm(std::span<const SwimmerType> types) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const SwimmerType& type : types)
+    for (const Bond& bond : type.bonds) shortest = std::min(shortest, bond.rest_length);
+  return shortest;
 }
 
 /// Returns the largest distance of one bead between the lists `from` and `to`, divided by the smallest
 /// radius. All ranks use the value of rank 0, because roundoff may differ between processors and all ranks
 /// must make the same decision.
-double ImplicitStep::largest_move(const Beads& from, const Beads& to) const {
+double largest_move(const StepScene& scene, const Beads& from, const Beads& to) {
   double farthest = 0;
   for (std::size_t b = 0; b < from.size(); ++b) {
-    const double move = (to[b] - from[b]).norm() / smallest_radius_;
+    const double move = (to[b] - from[b]).norm() / scene.smallest_radius;
     if (!(move <= farthest)) farthest = move;  // true also if move is NaN
   }
-  MPI_Bcast(&farthest, 1, MPI_DOUBLE, 0, scene_.communicator.get());
+  MPI_Bcast(&farthest, 1, MPI_DOUBLE, 0, scene.communicator.get());
   return farthest;
 }
 
-Beads ImplicitStep::forces_at_rest(const StepRule& rule, const Beads& start) const {
-  const Beads nothing(start.size(), Vec3::Zero());
-  const StepHistory history{.displacements = nothing, .velocities = nothing};
-  return ImplicitBalance(scene_, {rule, start, history, nothing, nothing}).residual(nothing, nothing);
+ImplicitStepResult solve_linearised(const StepScene& scene, Mobility& mobility, const StepStart& step,
+                                    const ImplicitBalance& balance) {
+  ImplicitStepResult result;
+  Beads places = step.positions;
+  flat(places) += flat(step.expansion_point);
+  mobility.set_positions(places);
+  double excess_share = 0;  // sum m'/(rho V)
+  for (const double mass : scene.excess_masses) excess_share += mass / scene.fluid_mass;
+  // The mean flow u_0 depends on the velocities y + u_0 themselves: u_0 = u_0(y)/(1 + sum m'/(rho V)).
+  const auto product = [&](const Beads& forces, FlowPart part) {
+    Beads velocities(forces.size());
+    result.work.add(mobility.apply(forces, velocities, part));
+    if (const Vec3 flow = mean_flow(scene, velocities) / (1 + excess_share); !flow.isZero(0))
+      for (Vec3& v : velocities) v += flow;
+    return velocities;
+  };
+  const auto present_moments = [&] {  // with memory, the end of the step has others
+    const std::span<const double> moments = mobility.moments();
+    return scene.scene.memory ? std::vector<double>{} : std::vector(moments.begin(), moments.end());
+  };
+  struct Direction {
+    Beads forces, velocities, left_hand_side;  ///< p, mu p and p + D mu p; the p + D mu p are orthonormal
+    std::vector<double> moments;               ///< by the forces p
+  };
+  std::deque<Direction> directions;
+  Beads forces = balance.initial_forces();
+  Beads velocities = product(forces, FlowPart::all);
+  result.moments = present_moments();
+  Beads residual = balance.residual(forces, velocities);
+  for (;;) {
+    Beads own = balance.own_forces(residual);
+    const Beads answer = balance.own_velocities(own);
+    std::array<double, 2> norms{flat(answer).norm(), flat(velocities).norm()};
+    MPI_Bcast(norms.data(), 2, MPI_DOUBLE, 0,
+              scene.communicator.get());  // all ranks must make the same decision
+    const auto [missing, speed] = norms;
+    // False if a norm is NaN, which check_faults() reports later.
+    const bool is_missing = missing > residual_share * scene.scene.tolerance * speed;
+    if (!is_missing || result.work.products >= max_products) {
+      result.is_converged = !is_missing && result.work.is_converged;
+      result.distant = velocities;
+      flat(result.distant) -= flat(balance.own_velocities(forces));
+      flat(velocities) += flat(answer);
+      flat(forces) += flat(own);
+      const std::size_t per_bead = result.moments.size() / own.size();
+      for (std::size_t b = 0; b < own.size() && per_bead > 0; ++b)
+        Vec3::Map(&result.moments[per_bead * b]) += own[b];
+      break;
+    }
+    Direction next{.forces = std::move(own), .velocities = {}, .left_hand_side = {}, .moments = {}};
+    next.velocities = product(next.forces, FlowPart::forces);
+    next.moments = present_moments();
+    next.left_hand_side = balance.left_hand_side(next.forces, next.velocities);
+    for (const Direction& old : directions) {
+      const double along = flat(old.left_hand_side).dot(flat(next.left_hand_side));
+      flat(next.forces) -= along * flat(old.forces);
+      flat(next.velocities) -= along * flat(old.velocities);
+      flat(next.left_hand_side) -= along * flat(old.left_hand_side);
+      flat(next.moments) -= along * flat(old.moments);
+    }
+    const double norm = flat(next.left_hand_side).norm();
+    for (Beads* part : {&next.forces, &next.velocities, &next.left_hand_side}) flat(*part) /= norm;
+    flat(next.moments) /= norm;
+    const double along = flat(next.left_hand_side).dot(flat(residual));
+    flat(forces) += along * flat(next.forces);
+    flat(velocities) += along * flat(next.velocities);
+    flat(residual) -= along * flat(next.left_hand_side);
+    flat(result.moments) += along * flat(next.moments);
+    directions.push_back(std::move(next));
+    if (directions.size() > max_directions) directions.pop_front();
+  }
+  result.displacements = balance.displacements(velocities);
+  result.smallest_gap = balance.smallest_gap(velocities);
+  result.velocities = std::move(velocities);
+  result.forces = std::move(forces);
+  return result;
 }
 
-Vec3 ImplicitStep::excess_momentum(const Beads& velocities) const {
-  Vec3 momentum = Vec3::Zero();
-  for (std::size_t b = 0; b < scene_.excess_masses.size(); ++b)
-    momentum += scene_.excess_masses[b] * velocities[b];
-  return momentum;
-}
+}  // namespace
 
-// The momentum of the fluid in the volume V of the box, with the insides of the beads, is rho V u_0:
-//
-//   rho V u_0 + sum m' v = 0,   m': mass of a bead minus that of the displaced fluid
-Vec3 ImplicitStep::mean_flow(const Beads& velocities) const {
-  if (!scene_.scene.memory) return Vec3::Zero();
-  Vec3 flow = -excess_momentum(velocities) / fluid_mass_;
-  for (int a = 0; a < 3; ++a)
-    if (scene_.scene.box->has_mirrors(a)) flow[a] = 0;
-  return flow;
-}
-
-Vec3 ImplicitStep::momentum(const Beads& velocities) const {
-  return fluid_mass_ * mean_flow(velocities) + excess_momentum(velocities);
-}
-
-ImplicitStepResult ImplicitStep::solve(const StepStart& step) const {
+ImplicitStepResult solve_implicit_step(const StepScene& scene, Mobility& mobility, const StepStart& step) {
   Beads expansion_point = step.expansion_point;
   ImplicitStepResult result{.distant = step.distant};
   const StepStart at{step.rule, step.positions, step.history, expansion_point, result.distant};
@@ -92,24 +138,25 @@ ImplicitStepResult ImplicitStep::solve(const StepStart& step) const {
   for (int round = 1;; ++round) {
     std::optional<ImplicitBalance> balance;
     for (int alone = 1;; ++alone) {
-      balance.emplace(scene_, at);
+      balance.emplace(scene, at);
       Beads ends = balance->initial_displacements();
-      const double move = largest_move(expansion_point, ends);
+      const double move = largest_move(scene, expansion_point, ends);
       // True also if `move` is NaN, which check_faults() reports later.
       const bool is_near = !(move > (alone == 1 ? own_move_limit : own_move_tolerance));
       if (is_near || alone == max_own_iterations) break;
       expansion_point = std::move(ends);
     }
-    result = solve_linearised(at, *balance);
+    result = solve_linearised(scene, mobility, at, *balance);
     work.add(result.work);
-    const double move = largest_move(expansion_point, result.displacements);
+    const double move = largest_move(scene, expansion_point, result.displacements);
     // If an arm of rest length l rotates, the linearised forces stretch it by about move^2/l. This error must
     // be below the tolerance times `way`, the root mean square displacement of the beads. `turn` is the
     // largest `move` that satisfies this.
     const double way = step.rule.span / step.rule.weight * flat(result.velocities).norm() /
                        std::sqrt(3.0 * step.positions.size());
-    const double turn = std::sqrt(scene_.scene.tolerance * shortest_arm_ * way) / smallest_radius_;
-    const double cutoff = scene_.contact_scale.min_cutoff_per_radius;
+    const double turn =
+        std::sqrt(scene.scene.tolerance * shortest_arm(scene.scene.types) * way) / scene.smallest_radius;
+    const double cutoff = scene.contact_scale.min_cutoff_per_radius;
     if (!(move > std::min(joint_move_tolerance * cutoff, turn)) || !result.is_converged) break;
     if (round == max_iterations) {
       result.is_converged = move < joint_move_limit * cutoff;
@@ -121,67 +168,19 @@ ImplicitStepResult ImplicitStep::solve(const StepStart& step) const {
   return result;
 }
 
-ImplicitStepResult ImplicitStep::solve_linearised(const StepStart& step,
-                                                  const ImplicitBalance& balance) const {
-  ImplicitStepResult result;
-  Beads places = step.positions;
-  flat(places) += flat(step.expansion_point);
-  mobility_.set_positions(places);
-  // The mean flow u_0 depends on the velocities y + u_0 themselves: u_0 = u_0(y)/(1 + sum m'/(rho V)).
-  const auto product = [&](const Beads& forces, FlowPart part) {
-    Beads velocities(forces.size());
-    result.work.add(mobility_.apply(forces, velocities, part));
-    if (const Vec3 flow = mean_flow(velocities) / (1 + excess_share_); !flow.isZero(0))
-      for (Vec3& v : velocities) v += flow;
-    return velocities;
-  };
-  struct Direction {
-    Beads forces, velocities, left_hand_side;  ///< p, mu p and p + D mu p; the p + D mu p are orthonormal
-  };
-  std::deque<Direction> directions;
-  Beads forces = balance.initial_forces();
-  Beads velocities = product(forces, FlowPart::all);
-  Beads residual = balance.residual(forces, velocities);
-  for (;;) {
-    Beads own = balance.own_forces(residual);
-    const Beads answer = balance.own_velocities(own);
-    std::array<double, 2> norms{flat(answer).norm(), flat(velocities).norm()};
-    MPI_Bcast(norms.data(), 2, MPI_DOUBLE, 0,
-              scene_.communicator.get());  // all ranks must make the same decision
-    const auto [missing, speed] = norms;
-    // False if a norm is NaN, which check_faults() reports later.
-    const bool is_missing = missing > residual_share * scene_.scene.tolerance * speed;
-    if (!is_missing || result.work.products >= max_products) {
-      result.is_converged = !is_missing && result.work.is_converged;
-      result.distant = velocities;
-      flat(result.distant) -= flat(balance.own_velocities(forces));
-      flat(velocities) += flat(answer);
-      flat(forces) += flat(own);
-      break;
-    }
-    Direction next{.forces = std::move(own), .velocities = {}, .left_hand_side = {}};
-    next.velocities = product(next.forces, FlowPart::forces);
-    next.left_hand_side = balance.left_hand_side(next.forces, next.velocities);
-    for (const Direction& old : directions) {
-      const double along = flat(old.left_hand_side).dot(flat(next.left_hand_side));
-      flat(next.forces) -= along * flat(old.forces);
-      flat(next.velocities) -= along * flat(old.velocities);
-      flat(next.left_hand_side) -= along * flat(old.left_hand_side);
-    }
-    const double norm = flat(next.left_hand_side).norm();
-    for (Beads* part : {&next.forces, &next.velocities, &next.left_hand_side}) flat(*part) /= norm;
-    const double along = flat(next.left_hand_side).dot(flat(residual));
-    flat(forces) += along * flat(next.forces);
-    flat(velocities) += along * flat(next.velocities);
-    flat(residual) -= along * flat(next.left_hand_side);
-    directions.push_back(std::move(next));
-    if (directions.size() > max_directions) directions.pop_front();
-  }
-  result.displacements = balance.displacements(velocities);
-  result.smallest_gap = balance.smallest_gap(velocities);
-  result.velocities = std::move(velocities);
-  result.forces = std::move(forces);
-  return result;
+Vec3 excess_momentum(const StepScene& scene, const Beads& velocities) {
+  Vec3 momentum = Vec3::Zero();
+  for (std::size_t b = 0; b < scene.excess_masses.size(); ++b)
+    momentum += scene.excess_masses[b] * velocities[b];
+  return momentum;
+}
+
+Vec3 mean_flow(const StepScene& scene, const Beads& velocities) {
+  if (!scene.scene.memory) return Vec3::Zero();
+  Vec3 flow = -excess_momentum(scene, velocities) / scene.fluid_mass;
+  for (int a = 0; a < 3; ++a)
+    if (scene.scene.box->has_mirrors(a)) flow[a] = 0;
+  return flow;
 }
 
 }  // namespace beadswim

@@ -39,6 +39,9 @@ struct ImplicitStepResult {
   Beads displacements{};  ///< u, displacements of the beads in the step
   Beads velocities{};     ///< v, velocities of the beads at the end of the step
   Beads forces{};         ///< F, forces of the beads on the fluid at the end of the step
+  /// Moments that the beads exert on the fluid (Mobility::moments()) at the end of the step, up to the
+  /// residual; without memory.
+  std::vector<double> moments{};
   Beads distant{};        ///< d, velocities of the beads in the flow of all other swimmers
   ProductWork work{};     ///< of all mobility products evaluated
   /// Smallest gap of all contacts at the end of the step [length]; infinity without contacts.
@@ -46,38 +49,17 @@ struct ImplicitStepResult {
   bool is_converged = true;
 };
 
-class ImplicitStep {
- public:
-  /// Keeps references to all arguments.
-  ImplicitStep(const OverdampedScene& scene, std::span<const double> radii, Mobility& mobility,
-               const Communicator& communicator);
+/// Solves one step, with the flow d of all other swimmers as extrapolated from earlier steps. The mobility is
+/// then at the last expansion point. Collective.
+ImplicitStepResult solve_implicit_step(const StepScene& scene, Mobility& mobility, const StepStart& step);
 
-  /// Solves one step, with the flow d of all other swimmers as extrapolated from earlier steps. The mobility
-  /// is then at the last expansion point. Collective.
-  ImplicitStepResult solve(const StepStart& step) const;
+/// Returns the sum of m' v over all beads, without the fluid that they displace.
+Vec3 excess_momentum(const StepScene& scene, const Beads& velocities);
 
-  /// Returns the forces on beads at rest at `start`, at the time of the rule.
-  Beads forces_at_rest(const StepRule& rule, const Beads& start) const;
-
-  /// Returns the mean velocity of the fluid with the insides of the beads. Fluid and beads together have no
-  /// momentum.
-  Vec3 mean_flow(const Beads& velocities) const;
-
-  /// Returns the momentum of fluid and beads.
-  Vec3 momentum(const Beads& velocities) const;
-
- private:
-  ImplicitStepResult solve_linearised(const StepStart& step, const ImplicitBalance& balance) const;
-  double largest_move(const Beads& from, const Beads& to) const;
-
-  Vec3 excess_momentum(const Beads& velocities) const;
-
-  StepScene scene_;
-  Mobility& mobility_;
-  double fluid_mass_ = 0;              ///< rho V: mass of fluid that would fill the box; 0 without memory
-  double excess_share_ = 0;            ///< sum of the excess masses, divided by fluid_mass_
-  double smallest_radius_;                                         ///< radius of the smallest bead [length]
-  double shortest_arm_ = std::numeric_limits<double>::infinity();  ///< smallest rest length [length]
-};
+/// Returns the mean velocity u_0 of the fluid with the insides of the beads; 0 without memory of the fluid.
+/// Fluid and beads together have no momentum. With the volume V of the box:
+///
+///   rho V u_0 + sum m' v = 0
+Vec3 mean_flow(const StepScene& scene, const Beads& velocities);
 
 }  // namespace beadswim

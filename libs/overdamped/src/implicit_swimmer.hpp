@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "bead_vectors.hpp"
 #include "beadswim/core/communicator.hpp"
@@ -33,15 +34,18 @@ struct StepRule {
   double time = 0;    ///< time at the end of the step [time]
 };
 
-/// What all time steps of a scene have in common.
+/// What all time steps of a scene have in common. m' is the mass of a bead minus that of the displaced fluid.
 struct StepScene {
   const OverdampedScene& scene;
   std::span<const double> radii;  ///< radius of each bead [length]
   const Communicator& communicator;
+  double smallest_radius = std::ranges::min(radii);  ///< [length]
   ContactScale contact_scale{scene};
   std::vector<BeadRange> bead_ranges = beadswim::bead_ranges(scene);  ///< of each swimmer
   /// m' of each bead; empty without memory.
   std::vector<double> excess_masses = beadswim::excess_masses(scene);
+  /// rho V: mass of fluid that would fill the box; 0 without memory.
+  double fluid_mass = scene.memory ? scene.memory->density * scene.box->lengths.prod() : 0;
 };
 
 /// Histories r of a time step (StepRule).

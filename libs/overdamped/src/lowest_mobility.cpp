@@ -24,13 +24,13 @@ bool has_close_spheres(std::span<const Vec3> positions, std::span<const double> 
 }
 
 std::optional<std::size_t> find_reversed_bead(Mobility& mobility, std::span<const Vec3> positions,
-                                              const Eigen::VectorXd& root_mobility, Eigen::VectorXd& mode,
+                                              const Eigen::VectorXd& root_mobility, Beads& mode,
                                               const Communicator& communicator) {
   constexpr int max_products = 60;
   constexpr double converged = 0.02;  // residual, divided by the eigenvalue
-  const Eigen::Index most = std::min<Eigen::Index>(max_products, mode.size());
+  const Eigen::Index most = std::min<Eigen::Index>(max_products, 3 * std::ssize(mode));
   mobility.set_positions(positions);
-  Eigen::MatrixXd basis = mode.normalized(), projected = Eigen::MatrixXd::Zero(most, most);
+  Eigen::MatrixXd basis = flat(mode).normalized(), projected = Eigen::MatrixXd::Zero(most, most);
   std::array<double, 2> ritz{};  // eigenvalue and its residual
   for (Eigen::Index k = 0;; ++k) {
     Beads forces(positions.size()), velocities(positions.size());
@@ -40,7 +40,7 @@ std::optional<std::size_t> find_reversed_bead(Mobility& mobility, std::span<cons
     projected.col(k).head(k + 1) = basis.transpose() * next;
     for (int pass = 0; pass < 2; ++pass) next -= basis * (basis.transpose() * next);
     const SymmetricModes small(projected.topLeftCorner(k + 1, k + 1).transpose());
-    mode = basis * small.vectors.col(0);
+    flat(mode) = basis * small.vectors.col(0);
     ritz = {small.values[0], next.norm() * std::abs(small.vectors(k, 0))};
     MPI_Bcast(ritz.data(), 2, MPI_DOUBLE, 0, communicator.get());  // all ranks must make the same decision
     if (!(ritz[0] > 0 && ritz[1] > converged * ritz[0]) || k + 1 == most) break;
@@ -49,7 +49,7 @@ std::optional<std::size_t> find_reversed_bead(Mobility& mobility, std::span<cons
   }
   if (ritz[0] > 0) return std::nullopt;
   Eigen::Index component = 0;
-  mode.cwiseAbs().maxCoeff(&component);
+  flat(mode).cwiseAbs().maxCoeff(&component);
   return component / 3;
 }
 

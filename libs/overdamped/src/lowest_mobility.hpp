@@ -7,6 +7,7 @@
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/mobility/mobility.hpp"
+#include "beadswim/overdamped/overdamped_scene.hpp"
 
 namespace beadswim {
 
@@ -22,7 +23,7 @@ bool has_close_spheres(std::span<const Vec3> positions, std::span<const double> 
 /// square root of the mobility of each bead alone. `mode`: guess of the eigenvector of the smallest
 /// eigenvalue; becomes the eigenvector, found by the method of Lanczos. Collective.
 std::optional<std::size_t> find_reversed_bead(Mobility& mobility, std::span<const Vec3> positions,
-                                              const Eigen::VectorXd& root_mobility, Eigen::VectorXd& mode,
+                                              const Eigen::VectorXd& root_mobility, Beads& mode,
                                               const Communicator& communicator);
 
 }  // namespace beadswim

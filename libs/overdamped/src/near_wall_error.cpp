@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "beadswim/mobility/mobility.hpp"
+#include "beadswim/mobility/near_field.hpp"
 #include "beadswim/mobility/wall_map.hpp"
 
 namespace beadswim {
@@ -31,14 +32,17 @@ double error_across_wall(double height, MobilityModel model, int moment_order) {
 
 // The error of one sphere, or that of several if it is larger: c H^-(4 + 2 n) for moments up to order n, with
 // c as found near the wall (docs/method/half-space.md); H^-3 for point forces. rpy+near is exact across the
-// wall; along it the error is 45/256 H^-4 far away.
+// wall. Along it, one sphere moves as by moments of order 1 where its stresslet has the weight 1, and as by
+// rpy, with an error of 45/256 H^-4, where it has the weight 0.
 double error_near_wall(double height, MobilityModel model, const MobilitySettings& settings) {
   if (!std::isfinite(height)) return 0;
   const int order = has_moment_order(model) ? settings.multipole_order : 0;
   const double across = error_across_wall(height, model, order);
   if (!has_finite_radii(model)) return std::max(across, std::pow(height, -3));
-  if (model == MobilityModel::rpy_near) return 0.22 * std::pow(height, -4);
   constexpr std::array coefficients{1.1, 0.7, 0.33};
+  if (model == MobilityModel::rpy_near)
+    return std::max(coefficients[1] * std::pow(height, -6),
+                    0.22 * std::pow(height, -4) * std::pow(1 - pair_weight(height), 2));
   return std::max(across, coefficients[order] * std::pow(height, -4 - 2 * order));
 }
 

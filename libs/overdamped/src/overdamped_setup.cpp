@@ -162,27 +162,11 @@ FluidMemory fluid_memory(const Layout& layout, const OverdampedScene& scene, boo
                 scene.box->lengths[0], points, max_mesh_points, Setting::model));
 }
 
-/// Converts the scene to these units.
-void convert(OverdampedScene& scene, const UnitScales& units) {
-  for (SwimmerType& type : scene.types) type = in_units(std::move(type), units);
-  for (PlacedSwimmer& swimmer : scene.swimmers) swimmer.position /= units.length;
-  scene.viscosity /= units.viscosity();
-  if (scene.box) scene.box->lengths /= units.length;
-  scene.flow.velocity /= units.velocity();
-  scene.flow.velocity_gradient *= units.time;
-  scene.step /= units.time;
-  if (!scene.memory) return;
-  scene.memory->density /= units.density;
-  scene.memory->step /= units.time;
-  scene.memory->spacing /= units.length;
-}
-
-}  // namespace
-
-OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
-                                 int frames_per_cycle, const std::string& source) {
-  OverdampedSetup setup;
-  OverdampedScene& scene = setup.scene;
+/// Returns the scene of a layout, in its units, with this number of time steps per base period. Throws the
+/// errors of overdamped_setup().
+OverdampedScene scene_of(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
+                         long steps_per_cycle, const std::string& source) {
+  OverdampedScene scene;
   scene.model = model;
   scene.moment_order = has_moment_order(model) ? settings.multipole_order : 0;
   scene.viscosity = layout.fluid.dynamic_viscosity();
@@ -195,14 +179,23 @@ OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, cons
   static_cast<Swarm&>(scene) = placed_swimmers(layout);
   if (model == MobilityModel::unsteady && !scene.box) scene.box = box_for_open_space(scene);
   require_room(scene, source);
-  setup.base_period = base_period(layout);
-  setup.steps_per_cycle = steps_in_base_period(layout, settings, frames_per_cycle);
-  scene.step = setup.base_period / static_cast<double>(setup.steps_per_cycle);
+  scene.step = base_period(layout) / static_cast<double>(steps_per_cycle);
   if (model == MobilityModel::unsteady)
     scene.memory = fluid_memory(layout, scene, settings.reynolds_stress, source);
-  setup.units = natural_units(layout);
-  convert(scene, setup.units);
-  return setup;
+  return scene;
+}
+
+}  // namespace
+
+OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
+                                 int frames_per_cycle, const std::string& source) {
+  const UnitScales units = natural_units(layout);
+  const long steps = steps_in_base_period(layout, settings, frames_per_cycle);
+  scene_of(layout, model, settings, steps, source);  // errors state numbers in the units of the layout
+  return {.scene = scene_of(in_units(layout, units), model, settings, steps, source),
+          .units = units,
+          .base_period = base_period(layout),
+          .steps_per_cycle = steps};
 }
 
 }  // namespace beadswim

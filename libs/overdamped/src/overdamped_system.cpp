@@ -17,11 +17,13 @@
 namespace beadswim {
 namespace {
 
-/// Returns the sum of factor times vector over all terms, separately for each bead.
-Beads weighted_sum(std::initializer_list<std::pair<double, const Beads*>> terms) {
-  Beads sum(terms.begin()->second->size(), Vec3::Zero());
-  for (const auto& [factor, beads] : terms)
-    for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += factor * (*beads)[b];
+/// Returns the sum of factor times list over all terms, for vectors per bead or numbers.
+template <class Value>
+std::vector<Value> weighted_sum(std::initializer_list<std::pair<double, const std::vector<Value>*>> terms) {
+  std::vector<Value> sum(*terms.begin()->second);
+  for (Value& value : sum) value = terms.begin()->first * value;
+  for (const auto& [factor, list] : std::span(terms).subspan(1))
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += factor * (*list)[k];
   return sum;
 }
 
@@ -63,14 +65,15 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
       communicator_(communicator),
       radii_(bead_radii(scene_)),
       mobility_(mobility_scene(scene_), start_positions(scene_), communicator),
-      implicit_step_(std::make_unique<ImplicitStep>(scene_, radii_, mobility_, communicator_)) {
+      step_scene_(new StepScene{.scene = scene_, .radii = radii_, .communicator = communicator_}) {
   const Beads nowhere(radii_.size(), Vec3::Zero());
   state_.positions.fill(start_positions(scene_));
   state_.velocities.fill(nowhere);
   state_.distant.fill(nowhere);
-  if (scene_.model == MobilityModel::oseen) lowest_mode_.resize(3 * std::ssize(radii_));
+  if (scene_.model == MobilityModel::oseen) state_.lowest_mode = nowhere;
   KeyedRandom random(1, 0, 0);
-  for (double& component : lowest_mode_) component = random.normal();
+  for (Vec3& bead : state_.lowest_mode)
+    for (double& component : bead) component = random.normal();
   if (const auto fault = mobility_fault())
     throw InputError(Setting::model,
                      fmt::format("the mobility of oseen is not positive definite at rest: forces would move "
@@ -89,7 +92,8 @@ std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
 /// Solves one step from the present positions. Adds the mobility products that this needs to state_.work.
 ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const StepHistory& history,
                                                 const Beads& guess, const Beads& distant) {
-  ImplicitStepResult result = implicit_step_->solve({rule, state_.positions[0], history, guess, distant});
+  ImplicitStepResult result =
+      solve_implicit_step(*step_scene_, mobility_, {rule, state_.positions[0], history, guess, distant});
   state_.work.add(result.work);
   is_converged_ = is_converged_ && result.is_converged;
   return result;
@@ -107,14 +111,19 @@ void OverdampedSystem::solve_initial_velocities() {
   const Beads nowhere(radii_.size(), Vec3::Zero());
   const StepRule rule{.weight = 1, .span = 0, .time = time()};
   if (scene_.memory) {
-    const Beads forces = implicit_step_->forces_at_rest(rule, state_.positions[0]);
-    add_work(mobility_.start(forces));
+    const StepHistory at_rest{.displacements = nowhere, .velocities = nowhere};
+    const ImplicitBalance balance(*step_scene_, {rule, state_.positions[0], at_rest, nowhere, nowhere});
+    forces_ = balance.residual(nowhere, nowhere);
+    add_work(mobility_.start(forces_));
+    moments_.assign(mobility_.moments().begin(), mobility_.moments().end());
     return;
   }
   ImplicitStepResult result = solve_step(rule, {nowhere, {}}, nowhere, state_.distant[0]);
   state_.smallest_gap = result.smallest_gap;
   state_.velocities[0] = std::move(result.velocities);
   state_.distant[0] = std::move(result.distant);
+  moments_ = std::move(result.moments);
+  forces_ = std::move(result.forces);
 }
 
 /// Returns true if a bead moves by more than its radius from one list of displacements to the other.
@@ -136,7 +145,7 @@ ImplicitStepResult OverdampedSystem::take_euler_steps(int parts) {
                           .distant = state_.distant[0]};
   for (int k = 1; k <= parts; ++k) {
     const StepRule rule{.weight = 1, .span = span, .time = time() + k * span};
-    Beads guess = weighted_sum({{1, &step.displacements}, {span, &step.velocities}});
+    Beads guess = weighted_sum<Vec3>({{1, &step.displacements}, {span, &step.velocities}});
     if (moves_far(step.displacements, guess)) guess = step.displacements;
     step = solve_step(rule, {step.displacements, {}}, guess, step.distant);
   }
@@ -147,11 +156,16 @@ ImplicitStepResult OverdampedSystem::take_euler_steps(int parts) {
 /// the errors of order h and h^2 cancel.
 void OverdampedSystem::take_first_step() {
   const ImplicitStepResult one = take_euler_steps(1), two = take_euler_steps(2), three = take_euler_steps(3);
-  const auto extrapolated = [&](Beads ImplicitStepResult::*part) {
-    return weighted_sum({{0.5, &(one.*part)}, {-4, &(two.*part)}, {4.5, &(three.*part)}});
+  state_.smallest_gap = std::min(state_.smallest_gap, three.smallest_gap);
+  const auto extrapolated = [&]<class Value>(std::vector<Value> ImplicitStepResult::*part) {
+    return weighted_sum<Value>({{0.5, &(one.*part)}, {-4, &(two.*part)}, {4.5, &(three.*part)}});
   };
+  const bool have_equal_moments =  // unless beads come so close in the step that they get stresslets
+      one.moments.size() == three.moments.size() && two.moments.size() == three.moments.size();
   accept({.displacements = extrapolated(&ImplicitStepResult::displacements),
           .velocities = extrapolated(&ImplicitStepResult::velocities),
+          .forces = extrapolated(&ImplicitStepResult::forces),
+          .moments = have_equal_moments ? extrapolated(&ImplicitStepResult::moments) : three.moments,
           .distant = extrapolated(&ImplicitStepResult::distant)});
 }
 
@@ -162,74 +176,44 @@ void OverdampedSystem::take_bdf_step() {
   const auto& [v, v1, v2] = state_.velocities;
   const auto& [d, d1, d2] = state_.distant;
   const double h = scene_.step;
-  const Beads u1 = weighted_sum({{1, &x1}, {-1, &x}}), u2 = weighted_sum({{1, &x2}, {-1, &x}});
+  const Beads u1 = weighted_sum<Vec3>({{1, &x1}, {-1, &x}}), u2 = weighted_sum<Vec3>({{1, &x2}, {-1, &x}});
   const StepRule rule{.weight = 11.0 / 6, .span = h, .time = time() + h};
   // The initial guess of the new positions is the cubic polynomial in time through the positions x and x_1
   // with the velocities v and v_1 as slopes.
-  StepHistory history{.displacements = weighted_sum({{-1.5, &u1}, {1.0 / 3, &u2}}), .velocities = {}};
-  if (scene_.memory) history.velocities = weighted_sum({{3, &v}, {-1.5, &v1}, {1.0 / 3, &v2}});
-  ImplicitStepResult result = solve_step(rule, history, weighted_sum({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),
-                                         weighted_sum({{3, &d}, {-3, &d1}, {1, &d2}}));
+  StepHistory history{.displacements = weighted_sum<Vec3>({{-1.5, &u1}, {1.0 / 3, &u2}}), .velocities = {}};
+  if (scene_.memory) history.velocities = weighted_sum<Vec3>({{3, &v}, {-1.5, &v1}, {1.0 / 3, &v2}});
+  ImplicitStepResult result =
+      solve_step(rule, history, weighted_sum<Vec3>({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),
+                 weighted_sum<Vec3>({{3, &d}, {-3, &d1}, {1, &d2}}));
   state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
-  if (scene_.memory)
-    add_work(mobility_.end_step(result.forces, implicit_step_->mean_flow(result.velocities)));
+  if (scene_.memory) {
+    add_work(mobility_.end_step(result.forces, beadswim::mean_flow(*step_scene_, result.velocities)));
+    result.moments.assign(mobility_.moments().begin(), mobility_.moments().end());
+  }
   accept(std::move(result));
 }
 
+// The fluid that a bead displaces moves with it, so that the bead exerts F on the fluid beyond the force on
+// that part: force of the fluid on the bead = -F + m_f dv/dt.
+std::vector<Vec3> OverdampedSystem::fluid_forces() const {
+  std::vector<Vec3> forces;
+  const auto& [now, before, earlier] = state_.velocities;
+  for (std::size_t b = 0; b < forces_.size(); ++b) {
+    const Vec3 acceleration = (1.5 * now[b] - 2 * before[b] + 0.5 * earlier[b]) / scene_.step;
+    const double displaced =
+        scene_.memory ? mass({.radius = radii_[b], .density = scene_.memory->density}) : 0;
+    forces.emplace_back(displaced * acceleration - forces_[b]);
+  }
+  return forces;
+}
+
 Vec3 OverdampedSystem::mean_flow() const {
-  return implicit_step_->mean_flow(state_.velocities[0]);
+  return beadswim::mean_flow(*step_scene_, state_.velocities[0]);
 }
 
 Vec3 OverdampedSystem::momentum() const {
-  return implicit_step_->momentum(state_.velocities[0]);
-}
-
-namespace {
-
-/// Numbers of the memory on each rank, and of the flow that the mesh does not resolve, which all ranks have.
-struct MemoryParts {
-  std::vector<int> counts, starts;
-  int modes = 0;
-};
-
-MemoryParts memory_parts(const MemoryState& own, const Communicator& communicator) {
-  MemoryParts parts{.counts = std::vector<int>(communicator.size()), .starts = {}};
-  const int count = static_cast<int>(own.modes.size());
-  MPI_Allgather(&count, 1, MPI_INT, parts.counts.data(), 1, MPI_INT, communicator.get());
-  for (const int each : parts.counts) {
-    parts.starts.push_back(parts.modes);
-    parts.modes += each;
-  }
-  return parts;
-}
-
-}  // namespace
-
-std::vector<double> OverdampedSystem::gather_memory() const {
-  const MemoryState own = mobility_.memory_state();
-  const MemoryParts parts = memory_parts(own, communicator_);
-  std::vector<double> all(communicator_.is_root() ? parts.modes : 0);
-  MPI_Gatherv(own.modes.data(), static_cast<int>(own.modes.size()), MPI_DOUBLE, all.data(),
-              parts.counts.data(), parts.starts.data(), MPI_DOUBLE, 0, communicator_.get());
-  if (communicator_.is_root())
-    for (const auto* list : {&own.unresolved, &own.moments})
-      all.insert(all.end(), list->begin(), list->end());
-  return all;
-}
-
-void OverdampedSystem::restore_memory(std::span<const double> memory) {
-  MemoryState own = mobility_.memory_state();
-  const MemoryParts parts = memory_parts(own, communicator_);
-  if (memory.size() != parts.modes + own.unresolved.size() + own.moments.size())
-    throw SolverError(
-        fmt::format("the memory of the fluid in the checkpoint differs in size from that of the scene; begin "
-                    "without {}",
-                    Setting::restart));
-  std::copy_n(memory.begin() + parts.starts[communicator_.rank()], own.modes.size(), own.modes.begin());
-  const auto rest = memory.begin() + parts.modes;
-  std::copy_n(rest, own.unresolved.size(), own.unresolved.begin());
-  std::copy_n(rest + own.unresolved.size(), own.moments.size(), own.moments.begin());
-  mobility_.restore(own);
+  const Beads& velocities = state_.velocities[0];
+  return step_scene_->fluid_mass * mean_flow() + excess_momentum(*step_scene_, velocities);
 }
 
 void OverdampedSystem::accept(ImplicitStepResult step) {
@@ -237,9 +221,11 @@ void OverdampedSystem::accept(ImplicitStepResult step) {
     std::rotate(past.begin(), past.end() - 1, past.end());
     past[0] = std::move(now);
   };
-  keep(state_.positions, weighted_sum({{1, &state_.positions[0]}, {1, &step.displacements}}));
+  keep(state_.positions, weighted_sum<Vec3>({{1, &state_.positions[0]}, {1, &step.displacements}}));
   keep(state_.velocities, std::move(step.velocities));
   keep(state_.distant, std::move(step.distant));
+  moments_ = std::move(step.moments);
+  forces_ = std::move(step.forces);
   ++state_.steps_done;
   update_extremes();
   check_faults();
@@ -270,22 +256,23 @@ void OverdampedSystem::update_extremes() {
 bool OverdampedSystem::must_check_mobility() const {
   constexpr double closer = 0.01;  // relative to a radius
   constexpr long interval = 100;
-  return state_.steps_done >= checked_steps_ + interval ||
-         state_.smallest_gap / *std::ranges::min_element(radii_) < checked_gap_ - closer ||
-         state_.smallest_relative_height < checked_height_ - closer;
+  return state_.steps_done >= state_.checked_steps + interval ||
+         state_.smallest_gap / *std::ranges::min_element(radii_) < state_.checked_gap - closer ||
+         state_.smallest_relative_height < state_.checked_height - closer;
 }
 
 /// Returns the fault of a mobility that is not positive definite.
 std::optional<Fault> OverdampedSystem::mobility_fault() {
-  if (lowest_mode_.size() == 0) return std::nullopt;
-  checked_steps_ = state_.steps_done;
-  checked_gap_ = state_.smallest_gap / *std::ranges::min_element(radii_);
-  checked_height_ = state_.smallest_relative_height;
+  if (state_.lowest_mode.empty()) return std::nullopt;
+  state_.checked_steps = state_.steps_done;
+  state_.checked_gap = state_.smallest_gap / *std::ranges::min_element(radii_);
+  state_.checked_height = state_.smallest_relative_height;
   if (!has_close_spheres(positions(), radii_, scene_.box, scene_.half_space)) return std::nullopt;
-  Eigen::VectorXd root_mobility(lowest_mode_.size());
+  Eigen::VectorXd root_mobility(3 * radii_.size());
   for (std::size_t b = 0; b < radii_.size(); ++b)
     root_mobility.segment<3>(3 * b).setConstant(std::sqrt(self_mobility(radii_[b], scene_.viscosity)));
-  const auto bead = find_reversed_bead(mobility_, positions(), root_mobility, lowest_mode_, communicator_);
+  const auto bead =
+      find_reversed_bead(mobility_, positions(), root_mobility, state_.lowest_mode, communicator_);
   if (!bead) return std::nullopt;
   const std::vector<BeadRange> ranges = bead_ranges(scene_);
   const auto owner = std::ranges::upper_bound(ranges, *bead, {}, &BeadRange::first) - 1;
@@ -332,13 +319,15 @@ void OverdampedSystem::check_faults() {
   }
 }
 
-void OverdampedSystem::restore(OverdampedState state) {
+void OverdampedSystem::restore(OverdampedState state, std::span<const double> memory) {
   const auto has_all_beads = [&](const Beads& list) { return list.size() == radii_.size(); };
   if (!std::ranges::all_of(state.positions, has_all_beads) ||
       !std::ranges::all_of(state.velocities, has_all_beads) ||
-      !std::ranges::all_of(state.distant, has_all_beads))
+      !std::ranges::all_of(state.distant, has_all_beads) ||
+      state.lowest_mode.size() != state_.lowest_mode.size())
     throw DataError("the number of beads in the checkpoint differs from the number of beads in the layout");
   state_ = std::move(state);
+  if (scene_.memory) mobility_.restore_memory(memory);
 }
 
 }  // namespace beadswim

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "beadswim/core/complex.hpp"
-#include "beadswim/plan/sound_flow.hpp"
 #include "beadswim/theory/reynolds_stress.hpp"
 
 namespace beadswim {
@@ -34,7 +33,7 @@ LatticeLag::FrequencySamples LatticeLag::frequency_samples(const Flow& flow) con
 
 LatticeLag::LatticeLag(const Question& question)
     : scene_(inertial_scene(question)),
-      box_(question.box),
+      box_(question.surroundings.box),
       induced_(frequency_samples(induced_mobility)),
       slopes_(frequency_samples([](const InertialScene& scene) { return drift_form(scene).by_receiver; })),
       form_(drift_form(scene_)),
@@ -73,7 +72,7 @@ Eigen::Matrix3cd LatticeLag::with_delayed_links(const Eigen::Matrix3cd& induced,
   return impedance.inverse();
 }
 
-LagErrors LatticeLag::errors(const LatticeTiming& timing) const {
+MotionValues LatticeLag::errors(const LatticeTiming& timing) const {
   const double nu = scene_.swimmer.viscosity / scene_.fluid_density;
   const Complex eps =
       i_unit * scene_.swimmer.angular_frequency() * nu / (timing.sound_speed * timing.sound_speed);
@@ -83,14 +82,14 @@ LagErrors LatticeLag::errors(const LatticeTiming& timing) const {
   const Eigen::Matrix3cd late = induced_.with_delayed_stress(eps) + sound.value;
   const Motion lattice = motion(with_delayed_links(late, timing), late, form);
 
-  LagErrors errors;
+  MotionValues errors = MotionValues::Zero();
   for (int arm = 0; arm < 2; ++arm) {
     const double size = std::abs(exact_.arm[arm]);
-    if (size > 0) errors.arm_amplitudes[arm] = std::abs(lattice.arm[arm]) / size - 1;
+    if (size > 0) errors[1 + arm] = std::abs(lattice.arm[arm]) / size - 1;
   }
   const double velocity = std::abs(exact_.drift + exact_.reynolds);
   if (velocity > 0)
-    errors.velocity =
+    errors[0] =
         (std::abs(lattice.drift - exact_.drift) + std::abs(lattice.reynolds - exact_.reynolds)) / velocity;
   return errors;
 }

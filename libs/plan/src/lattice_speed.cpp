@@ -77,6 +77,13 @@ double seconds_of_step(const CoupledScene& scene, double interval, const Communi
   return result;
 }
 
+/// Returns the core-seconds per cell and step of fluid in blocks with edges of `edge` cells, one per rank.
+/// Collective.
+double seconds_per_cell(int edge, Precision precision, double interval, const Communicator& communicator) {
+  const CoupledScene scene = fluid_scene(edge, precision, communicator.size());
+  return seconds_of_step(scene, interval, communicator) / std::pow(edge, 3);
+}
+
 /// Returns y at x = `at` by linear interpolation of log y as a function of log x. y is constant outside the
 /// range of x.
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
@@ -159,19 +166,16 @@ LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
   std::vector<PrecisionCost> precisions;
   for (const Precision precision : all_values<Precision>) {
     PrecisionCost& own = precisions.emplace_back();
-    const auto cost_of = [&](const CoupledScene& scene) {
-      return ranks * seconds_of_step(scene, timing_interval, communicator);
-    };
     for (const int edge : edges) {
-      const CoupledScene scene = fluid_scene(edge, precision, ranks);
       own.cells.push_back(std::pow(edge, 3));
-      own.seconds_per_cell.push_back(cost_of(scene) / scene.cells.cast<double>().prod());
+      own.seconds_per_cell.push_back(seconds_per_cell(edge, precision, timing_interval, communicator));
     }
     for (const BeadScheme scheme : all_values<BeadScheme>) {
       const CoupledScene scene = scene_with_beads(precision, scheme, ranks);
       const double cells = scene.cells.cast<double>().prod();
       const double fluid_seconds = cells * interpolated(own.cells, own.seconds_per_cell, cells / ranks);
-      own.seconds_per_area.push_back(std::max(0.0, cost_of(scene) - fluid_seconds) / bead_surface(scene));
+      const double seconds = ranks * seconds_of_step(scene, timing_interval, communicator);
+      own.seconds_per_area.push_back(std::max(0.0, seconds - fluid_seconds) / bead_surface(scene));
     }
   }
   return {ranks, std::move(precisions)};
@@ -182,11 +186,9 @@ LatticeSpeed LatticeSpeed::at_present(const Communicator& communicator) const {
   for (const Precision precision : all_values<Precision>) {
     PrecisionCost& own = now.at(static_cast<std::size_t>(precision));
     std::vector<double> ratios;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const CoupledScene scene = fluid_scene(edges[i], precision, ranks_);
-      const double seconds = ranks_ * seconds_of_step(scene, short_interval, communicator);
-      ratios.push_back(seconds / scene.cells.cast<double>().prod() / own.seconds_per_cell[i]);
-    }
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      ratios.push_back(seconds_per_cell(edges[i], precision, short_interval, communicator) /
+                       own.seconds_per_cell[i]);
     const double ratio = median(ratios);
     for (std::vector<double>* costs : {&own.seconds_per_cell, &own.seconds_per_area})
       for (double& seconds : *costs) seconds *= ratio;

@@ -1,8 +1,8 @@
 #include "beadswim/plan/model_errors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include "beadswim/theory/methods.hpp"
@@ -14,9 +14,9 @@ Prediction predicted(const char* method, const Question& question) {
   return predict(find_method(method), question);
 }
 
-PredictedMotion motion_of(const Prediction& prediction) {
+MotionValues motion_of(const Prediction& prediction) {
   const std::vector<double>& arms = prediction.stroke.amplitude;
-  return {.velocity = prediction.velocity, .arm_amplitudes = {arms[0], arms[1]}};
+  return {prediction.velocity, arms[0], arms[1]};
 }
 
 /// Returns the motion by a mobility model in the question's box. No method treats all models in a box. The
@@ -25,15 +25,15 @@ PredictedMotion motion_of(const Prediction& prediction) {
 ///   velocity   v_RP,box + (v_model - v_RP) A_box/A
 ///   amplitude  d_RP,box d_model/d_RP
 /// A = d_1 d_2 sin(beta) is the stroke area by RP, with the arm amplitudes d_1, d_2 and the phase shift beta.
-PredictedMotion motion_in_box(const Question& question, const char* method_in_open_space) {
+MotionValues motion_in_box(const Question& question, const char* method_in_open_space) {
   const Prediction pairs_in_box = predicted("rpy-box-ode", question);
   const Prediction pairs = predicted("rpy-ode", question), model = predicted(method_in_open_space, question);
   const double area = pairs.stroke.area() != 0 ? pairs_in_box.stroke.area() / pairs.stroke.area() : 1;
-  PredictedMotion motion = motion_of(pairs_in_box);
-  motion.velocity += (model.velocity - pairs.velocity) * area;
+  MotionValues motion = motion_of(pairs_in_box);
+  motion[0] += (model.velocity - pairs.velocity) * area;
   for (int arm = 0; arm < 2; ++arm) {
     if (pairs.stroke.amplitude[arm] > 0)
-      motion.arm_amplitudes[arm] *= model.stroke.amplitude[arm] / pairs.stroke.amplitude[arm];
+      motion[1 + arm] *= model.stroke.amplitude[arm] / pairs.stroke.amplitude[arm];
   }
   return motion;
 }
@@ -59,26 +59,11 @@ double truncation(MobilityModel model, const MobilitySettings& settings) {
 /// docs/speed-against-error.md have uncertainties of 0.2 and 0.4 %.
 constexpr double min_validated_error = 0.002;
 
-ErrorEstimate sum(const ErrorEstimate& a, const ErrorEstimate& b) {
-  return merged(a, b, std::plus<>());
-}
-
-ErrorEstimate combined(const ErrorEstimate& a, const ErrorEstimate& b) {
-  return merged(a, b, [](double x, double y) { return std::hypot(x, y); });
-}
-
 /// Returns the difference of two motions, relative to `best`; 0 for a velocity or arm amplitude of `best`
 /// that is zero.
-ErrorEstimate relative_difference(const PredictedMotion& a, const PredictedMotion& b,
-                                  const BestPrediction& best) {
-  const auto relative = [](double x, double y, double reference) {
-    return reference != 0 ? std::abs(x / reference - y / reference) : 0;
-  };
-  ErrorEstimate change;
-  if (best.is_swimming) change.velocity = relative(a.velocity, b.velocity, best.velocity);
-  for (int arm = 0; arm < 2; ++arm)
-    change.arm_amplitudes[arm] =
-        relative(a.arm_amplitudes[arm], b.arm_amplitudes[arm], best.arm_amplitudes[arm]);
+MotionValues relative_difference(const MotionValues& a, const MotionValues& b, const BestPrediction& best) {
+  MotionValues change = (best.motion != 0).select((a / best.motion - b / best.motion).abs(), 0.0);
+  if (!best.is_swimming) change[0] = 0;
   return change;
 }
 
@@ -112,10 +97,8 @@ ErrorRange error_of_cells(double cells_per_radius, BeadScheme scheme) {
   const double n2 = cells_per_radius * cells_per_radius, n5 = n2 * n2 * cells_per_radius;
   const double factor = scheme_factors(scheme).cells;
   const double typical_arm = factor * 0.08 / (n2 * n2), arm_limit = factor * (0.03 / n2 + 0.05 / n5);
-  return {
-      .typical = {.velocity = factor * 0.027 / n2, .arm_amplitudes = {typical_arm, typical_arm}},
-      .limit = {.velocity = factor * 0.045 / n2, .arm_amplitudes = {arm_limit, arm_limit}},
-  };
+  return {.typical = {factor * 0.027 / n2, typical_arm, typical_arm},
+          .limit = {factor * 0.045 / n2, arm_limit, arm_limit}};
 }
 
 /// Returns two standard deviations of the relative velocity over all places of the beads within cells.
@@ -132,14 +115,14 @@ double velocity_wander(double cells_per_radius, BeadScheme scheme, double swing,
 /// Returns the relative error that occurs because cells do not resolve gaps between beads. `at_rest`:
 /// smallest gap at rest [cell]. `smallest_stroke_gap`: smallest gap during the stroke [cell]. The errors were
 /// measured in the cases "contact at the start" and "driving" of docs/hard-cases.md.
-ErrorEstimate error_of_gaps(double at_rest, double smallest_stroke_gap) {
+MotionValues error_of_gaps(double at_rest, double smallest_stroke_gap) {
   constexpr double resolved = 2.5, unresolved_gap = 1, touching = 0.25;  // [cell]
   constexpr double max_error_at_rest = 0.25, max_error_in_stroke = 0.04;
   const double unresolved_fraction = std::clamp((resolved - at_rest) / (resolved - unresolved_gap), 0.0, 1.0);
   const double error_at_rest = max_error_at_rest * unresolved_fraction * unresolved_fraction;
   const double error_in_stroke = smallest_stroke_gap < touching ? max_error_in_stroke : 0;
   const double arm = error_at_rest / 2 + error_in_stroke;
-  return {.velocity = error_at_rest + error_in_stroke, .arm_amplitudes = {arm, arm}};
+  return {error_at_rest + error_in_stroke, arm, arm};
 }
 
 double smallest_gap_in_stroke(const CollinearSwimmer& swimmer, const Prediction& motion) {
@@ -164,38 +147,35 @@ double lattice_plane_factor(const Vec3& position, const Vec3& axis) {
   return 1 + 4 * closeness;
 }
 
+MotionValues combined(const MotionValues& a, const MotionValues& b) {
+  return a.binaryExpr(b, [](double x, double y) { return std::hypot(x, y); });
+}
+
 ErrorRange combined(const ErrorRange& a, const ErrorRange& b) {
   return {.typical = combined(a.typical, b.typical), .limit = combined(a.limit, b.limit)};
 }
 
-ErrorEstimate scaled(double factor, ErrorEstimate error) {
-  error.velocity *= factor;
-  for (double& arm : error.arm_amplitudes) arm *= factor;
-  return error;
-}
-
 BestPrediction best_prediction(const Question& question) {
   const Prediction best = predicted("inertia-corrected", question);
-  BestPrediction known{motion_of(best)};
-  known.smallest_stroke_gap = smallest_gap_in_stroke(question.swimmer, best);
+  BestPrediction known{.motion = motion_of(best)};
+  known.smallest_stroke_gap = smallest_gap_in_stroke(question.line(), best);
   known.is_swimming = best.uncertainty.has_value() && best.velocity != 0;
-  if (best.stroke_uncertainty) known.uncertainty.arm_amplitudes = best.stroke_uncertainty->arm_amplitudes;
+  if (best.stroke_uncertainty) {
+    const auto& [first, second] = best.stroke_uncertainty->arm_amplitudes;
+    known.uncertainty = {0, first, second};
+  }
   if (!known.is_swimming) return known;
-  known.uncertainty.velocity = *best.uncertainty;
+  known.uncertainty[0] = *best.uncertainty;
   const Prediction open = predicted("multipole-perturbation", question);
   if (open.stroke.area() != 0) {
     const double as_open = open.velocity * best.stroke.area() / open.stroke.area();
-    known.cancellation = std::max(1.0, std::abs(as_open / best.velocity) * (1 + known.uncertainty.velocity));
+    known.cancellation = std::max(1.0, std::abs(as_open / best.velocity) * (1 + known.uncertainty[0]));
   }
   return known;
 }
 
-ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b) {
-  return merged(a, b, [](double x, double y) { return std::max(x, y); });
-}
-
-ErrorEstimate difference(const PredictedMotion& motion, const BestPrediction& best) {
-  return relative_difference(motion, best, best);
+MotionValues difference(const MotionValues& motion, const BestPrediction& best) {
+  return relative_difference(motion, best.motion, best);
 }
 
 // The error by time steps of finite length is 3.3e-5 of the velocity with 100 steps per cycle. It is
@@ -220,23 +200,23 @@ ErrorRange unsteady_error(const Question& question, const BestPrediction& best,
   const int order = settings.multipole_order;
   const double share = std::array{1.6, 0.16, 0.05}[order], depth_factor = std::array{0.1, 0.1, 0.006}[order];
   constexpr double min_velocity_error = 0.006, min_arm_error = 0.001;
-  const CollinearSwimmer& swimmer = question.swimmer;
+  const CollinearSwimmer& swimmer = question.line();
   const double radius = *std::ranges::max_element(swimmer.radius);
   // |alpha| is sqrt(2) over the penetration depth.
-  const double over_depth = radius * std::abs(inverse_penetration_depth(swimmer, question.fluid_density));
+  const double over_depth = radius * std::abs(inverse_penetration_depth(swimmer, question.fluid_density()));
   const double inertia_error = depth_factor * std::pow(over_depth, 4) / 4;
-  const PredictedMotion pairs = motion_of(predicted("rpy-ode", question)),
-                        exact = motion_of(predicted("multipole-ode", question));
-  ErrorEstimate model_error = scaled(share, relative_difference(pairs, exact, best)), step_error;
+  const MotionValues pairs = motion_of(predicted("rpy-ode", question)),
+                     exact = motion_of(predicted("multipole-ode", question));
+  MotionValues model_error = share * relative_difference(pairs, exact, best);
+  MotionValues step_error = MotionValues::Zero();
   if (best.is_swimming) {
-    model_error.velocity += best.cancellation * (min_velocity_error + inertia_error);
-    step_error.velocity = velocity_error_of_steps(MobilityModel::unsteady, settings);
+    model_error[0] += best.cancellation * (min_velocity_error + inertia_error);
+    step_error[0] = velocity_error_of_steps(MobilityModel::unsteady, settings);
   }
-  for (int arm = 0; arm < 2; ++arm)
-    if (best.arm_amplitudes[arm] > 0) model_error.arm_amplitudes[arm] += min_arm_error + inertia_error;
+  for (const int arm : {1, 2})
+    if (best.motion[arm] > 0) model_error[arm] += min_arm_error + inertia_error;
   const double typical_share = order == 0 ? 0.5 : 0.25;
-  return {.typical = sum(scaled(typical_share, model_error), step_error),
-          .limit = sum(model_error, step_error)};
+  return {.typical = typical_share * model_error + step_error, .limit = model_error + step_error};
 }
 
 }  // namespace
@@ -245,36 +225,30 @@ ErrorRange mobility_error(const Question& question, const BestPrediction& best, 
                           const MobilitySettings& settings) {
   if (model == MobilityModel::unsteady) return unsteady_error(question, best, settings);
   const auto motion_by = [&](const char* method) {
-    return question.box ? motion_in_box(question, method) : motion_of(predicted(method, question));
+    return question.surroundings.box ? motion_in_box(question, method)
+                                     : motion_of(predicted(method, question));
   };
-  const PredictedMotion motion = motion_by(method_of(model, settings));
-  const ErrorEstimate model_error = difference(motion, best);
-  ErrorEstimate step_error;  // by time steps and by truncation
-  if (best.is_swimming) step_error.velocity = velocity_error_of_steps(model, settings);
+  const MotionValues motion = motion_by(method_of(model, settings));
+  const MotionValues model_error = difference(motion, best);
+  MotionValues step_error = MotionValues::Zero();  // by time steps and by truncation
+  if (best.is_swimming) step_error[0] = velocity_error_of_steps(model, settings);
   if (const double truncated = truncation(model, settings); truncated > 0)
-    step_error = sum(step_error, scaled(truncated, relative_difference(motion_by("rpy-ode"), motion, best)));
+    step_error += truncated * relative_difference(motion_by("rpy-ode"), motion, best);
   constexpr double margin = 1.15;  // the motion of the model in a box is known to 15 % of the difference
-  return {.typical = sum(combined(model_error, scaled(0.5, best.uncertainty)), step_error),
-          .limit = sum(sum(scaled(margin, model_error), best.uncertainty), step_error)};
+  return {.typical = combined(model_error, 0.5 * best.uncertainty) + step_error,
+          .limit = margin * model_error + best.uncertainty + step_error};
 }
 
 ErrorRange resolution_error(const LatticeLag& lattice, const std::optional<BestPrediction>& best,
                             const ResolvedRun& run) {
-  const LagErrors lag = lattice.errors(run.timing);
-  const ErrorEstimate gaps = error_of_gaps(run.smallest_gap, best ? best->smallest_stroke_gap / run.cell : 0);
-  const double cancellation = best ? best->cancellation : 1, compression = run.mach * run.mach;
-  const auto estimate = [&](const ErrorEstimate& cells, double smallest) {
-    ErrorEstimate error;
-    if (!best || best->is_swimming) {
-      error.velocity =
-          std::hypot(lag.velocity + cancellation * (cells.velocity + gaps.velocity) + compression, smallest);
-    }
-    for (int arm = 0; arm < 2; ++arm) {
-      if (best && best->arm_amplitudes[arm] == 0) continue;  // the arm is at rest
-      error.arm_amplitudes[arm] = std::hypot(
-          std::abs(lag.arm_amplitudes[arm]) + cells.arm_amplitudes[arm] + gaps.arm_amplitudes[arm], smallest);
-    }
-    return error;
+  const MotionValues lag = lattice.errors(run.timing).abs();
+  const MotionValues gaps = error_of_gaps(run.smallest_gap, best ? best->smallest_stroke_gap / run.cell : 0);
+  const MotionValues factor{best ? best->cancellation : 1, 1, 1}, compression{run.mach * run.mach, 0, 0};
+  Eigen::Array<bool, 3, 1> moves{true, true, true};  // false: no error where nothing moves
+  if (best) moves = {best->is_swimming, best->motion[1] != 0, best->motion[2] != 0};
+  const auto estimate = [&](const MotionValues& cells, double smallest) -> MotionValues {
+    const MotionValues error = lag + factor * (cells + gaps) + compression;
+    return moves.select(combined(error, MotionValues::Constant(smallest)), 0.0);
   };
   const ErrorRange cells = error_of_cells(run.cells_per_radius, run.scheme);
   return {.typical = estimate(cells.typical, 0), .limit = estimate(cells.limit, min_validated_error)};
@@ -282,10 +256,10 @@ ErrorRange resolution_error(const LatticeLag& lattice, const std::optional<BestP
 
 ErrorRange wander_error(const std::optional<BestPrediction>& best, const ResolvedRun& run) {
   if (!best || !best->is_swimming) return {};
-  const double swing = std::min(best->arm_amplitudes[0], best->arm_amplitudes[1]) / run.cell;
-  const ErrorEstimate limit{.velocity = best->cancellation * velocity_wander(run.cells_per_radius, run.scheme,
-                                                                             swing, run.plane_factor)};
-  return {.typical = scaled(0.5, limit), .limit = limit};
+  const double swing = best->motion.tail<2>().minCoeff() / run.cell;
+  const MotionValues limit{
+      best->cancellation * velocity_wander(run.cells_per_radius, run.scheme, swing, run.plane_factor), 0, 0};
+  return {.typical = 0.5 * limit, .limit = limit};
 }
 
 }  // namespace beadswim

@@ -44,6 +44,13 @@ bool is_on_front(const RunPlan& plan, const PlannedRun& run) {
   });
 }
 
+/// Returns the error as JSON, without that of the velocity if no swimmer swims.
+Json json_of(const ErrorEstimate& error) {
+  Json json = error;
+  if (error.velocity == 0) json.erase("velocity");
+  return json;
+}
+
 Json json_of(const RunPlan& plan, const PlannedRun& run) {
   const LatticeSettings& lattice = run.settings.lattice;
   Json json{{"model", run.settings.model}, {"flags", command(plan, run)}};
@@ -62,8 +69,8 @@ Json json_of(const RunPlan& plan, const PlannedRun& run) {
                     {"output_bytes", run.output_bytes}};
   }
   if (const double largest = run.errors.limits.total.largest(); largest > 0 && std::isfinite(largest)) {
-    json["error"] = run.errors.limits.total;
-    json["typical_error"] = run.errors.typical;
+    json["error"] = json_of(run.errors.limits.total);
+    json["typical_error"] = json_of(run.errors.typical);
   }
   return json;
 }

@@ -16,7 +16,6 @@
 #include "beadswim/run/run_length.hpp"
 #include "beadswim/run/velocity_roundoff.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
-#include "beadswim/theory/scene_numbers.hpp"
 #include "planned_scene.hpp"
 
 namespace beadswim {
@@ -88,15 +87,6 @@ std::string lattice_obstacle(const SceneOnLattice& on_lattice, double mach, doub
   return {};
 }
 
-/// Returns the speed of the fastest bead of all representatives, to first order in the driving
-/// [SceneFacts::units].
-double largest_speed(const SceneFacts& facts) {
-  double speed = 0;
-  for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
-    speed = std::max(speed, std::ranges::max(bead_speeds(swimmer_facts.representative.question.swimmer)));
-  return speed;
-}
-
 double largest_plane_factor(const CoupledScene& scene) {
   double factor = 1;
   for (const PlacedSwimmer& swimmer : scene.swimmers)
@@ -104,35 +94,33 @@ double largest_plane_factor(const CoupledScene& scene) {
   return factor;
 }
 
+/// Returns the Mach number of the fastest bead of all representatives.
 double mach_of(const SceneOnLattice& on_lattice, const SceneFacts& facts) {
-  return largest_speed(facts) * facts.units.velocity() * std::numbers::sqrt3 /
-         on_lattice.lattice.scales.velocity();
+  double speed = 0;  // [SceneFacts::units]
+  for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
+    speed = std::max(speed, swimmer_facts.representative.bead_speed);
+  return speed * facts.units.velocity() * std::numbers::sqrt3 / on_lattice.lattice.scales.velocity();
 }
 
-void add_cost(PlannedRun& run, const SceneOnLattice& on_lattice, const LatticeSpeed& speed, long steps,
-              const Communicator& communicator) {
-  const double cells = cells_on_levels(on_lattice.scene.all_levels()),
-               bytes = lattice_bytes(on_lattice.scene);
-  run.core_seconds =
-      start_seconds * communicator.size() + static_cast<double>(steps) * speed.step(on_lattice.scene);
-  run.memory_bytes = bytes + program_bytes * communicator.size();
+void set_cost(PlannedRun& run, const CoupledScene& scene, const LatticeSpeed& speed, long steps, int ranks) {
   std::size_t beads = 0;
-  for (const PlacedSwimmer& swimmer : on_lattice.scene.swimmers)
-    beads += on_lattice.scene.types[swimmer.type].beads.size();
-  run.output_bytes = output_bytes(run.settings, beads, cells, bytes / cells);
+  for (const PlacedSwimmer& swimmer : scene.swimmers) beads += scene.types[swimmer.type].beads.size();
+  run.core_seconds = static_cast<double>(steps) * speed.step(scene);
+  run.memory_bytes = lattice_bytes(scene);
+  complete_cost(run, beads, cells_on_levels(scene.all_levels()), ranks);
 }
 
 /// Returns the candidate (possible run) with these settings. `speed`: cost of lattice steps, measured by the
 /// first candidate that needs it.
-PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const PlanRequest& request,
-                       const RunSettings& settings, const std::string& source,
-                       std::optional<LatticeSpeed>& speed, const Communicator& communicator) {
+PlannedRun lattice_run(const PlanInput& input, const RunSettings& settings,
+                       std::optional<LatticeSpeed>& speed) {
+  const PlanRequest& request = input.request;
   PlannedRun run;
   run.settings = settings;
   std::string wrong;
   run.refused = reason_against([&] {
     require_settings_apply(request.chosen, settings.model);
-    const SceneOnLattice on_lattice = put_on_lattice(layout, settings.lattice, source);
+    const SceneOnLattice on_lattice = put_on_lattice(input.layout, settings.lattice, input.source);
     for (const Block& level : on_lattice.scene.all_levels())
       run.cells.push_back(level.size.cast<std::int64_t>().prod());
     run.settings.lattice.refinement = static_cast<int>(run.cells.size()) - 1;
@@ -141,11 +129,11 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
     const long steps_per_cycle = on_lattice.lattice.steps_per_period;
     const long steps = total_steps(settings.cycles, steps_per_cycle);
     require_end_after(settings.cycles, steps, request.steps_done, steps_per_cycle);
-    const double mach = mach_of(on_lattice, facts);
+    const double mach = mach_of(on_lattice, input.facts);
     const double roundoff = velocity_roundoff(on_lattice.scene, steps_per_cycle, steps);
     if (!speed) speed = request.lattice_speed();
-    run.errors = lattice_run_errors(on_lattice, facts, roundoff);
-    add_cost(run, on_lattice, *speed, steps - request.steps_done, communicator);
+    run.errors = lattice_run_errors(on_lattice, input.facts, roundoff);
+    set_cost(run, on_lattice.scene, *speed, steps - request.steps_done, input.communicator.size());
     wrong = lattice_obstacle(on_lattice, mach, roundoff);
   });
   if (run.refused.empty()) run.refused = wrong;
@@ -178,17 +166,17 @@ RunErrors lattice_run_errors(const SceneOnLattice& on_lattice, const SceneFacts&
   };
   ErrorRange resolution = scene_error(facts, by_resolution);
   const ErrorRange wander = scene_error(facts, by_wander);
-  ErrorEstimate& limit = resolution.limit;
-  if (limit.velocity > 0 && std::isfinite(roundoff)) resolution.add_to_velocity(roundoff);
-  if (limit.velocity > 0 && !on_lattice.scene.levels.empty()) {
+  if (resolution.limit[0] > 0 && std::isfinite(roundoff)) resolution.add_to_velocity(roundoff);
+  if (resolution.limit[0] > 0 && !on_lattice.scene.levels.empty()) {
     // Twice the largest changes that were measured in free-slip boxes (docs/refinement.md).
-    limit.velocity += 0.0012;
-    for (double& arm : limit.arm_amplitudes) arm += 0.0004;
+    resolution.limit += MotionValues(0.0012, 0.0004, 0.0004);
   }
   const ErrorRange total = combined(resolution, wander);
-  return {
-      .limits = {.total = total.limit, .resolution = limit, .wander = wander.limit, .box = facts.box_changes},
-      .typical = total.typical};
+  return {.limits = {.total = estimate_of(total.limit),
+                     .resolution = estimate_of(resolution.limit),
+                     .wander = estimate_of(wander.limit),
+                     .box = estimate_of(facts.box_changes)},
+          .typical = estimate_of(total.typical)};
 }
 
 std::string left_out_resolutions(const Layout& layout) {
@@ -205,13 +193,12 @@ std::string left_out_resolutions(const Layout& layout) {
       joined(left_out, ", ", "{:g}"), smallest_radius(layout));
 }
 
-std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& facts,
-                                     const PlanRequest& request, const std::string& source,
-                                     const Communicator& communicator) {
+std::vector<PlannedRun> lattice_runs(const PlanInput& input) {
+  const PlanRequest& request = input.request;
   const LatticeSettings& fixed = request.settings.lattice;
-  std::vector<double> cells = commensurate_resolutions(layout);
+  std::vector<double> cells = commensurate_resolutions(input.layout);
   if (fixed.cells_per_radius) cells = {*fixed.cells_per_radius};
-  if (cells.empty() && layout.resolution) cells = {layout.resolution->cells_per_radius};
+  if (cells.empty() && input.layout.resolution) cells = {input.layout.resolution->cells_per_radius};
   if (cells.empty()) cells = {4};
   std::vector<double> times(usual_times.begin(), usual_times.end());
   if (fixed.relaxation_time) times = {*fixed.relaxation_time};
@@ -228,7 +215,7 @@ std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& fac
         own.lattice.relaxation_time = time;
         own.lattice.precision = precision;
         if (!request.is_fixed(Setting::refinement)) own.lattice.refinement.reset();
-        runs.push_back(lattice_run(layout, facts, request, own, source, speed, communicator));
+        runs.push_back(lattice_run(input, own, speed));
       }
     }
   }

@@ -39,10 +39,10 @@ double growth_of_tilt(const ThreeBeadSwimmer& type, double viscosity) {
 SwimmerFacts evaluate_swimmer(Representative representative) {
   SwimmerFacts swimmer_facts{
       .representative = std::move(representative), .best = {}, .obstacle = {}, .lag = {}};
-  Question& question = swimmer_facts.representative.question;
-  swimmer_facts.tilt_growth = growth_of_tilt(swimmer_facts.representative.type, question.swimmer.viscosity);
+  const Question& question = swimmer_facts.representative.question;
+  swimmer_facts.tilt_growth = growth_of_tilt(swimmer_facts.representative.type, question.line().viscosity);
   const auto driven = swimmer_facts.representative.type.driving.amplitude;
-  const auto axial_amplitude = question.swimmer.amplitude;
+  const auto axial_amplitude = question.line().amplitude;
   constexpr double negligible = 1e-9;
   swimmer_facts.obstacle = reason_against([&] {
     swimmer_facts.lag.emplace(question);
@@ -50,7 +50,6 @@ SwimmerFacts evaluate_swimmer(Representative representative) {
       throw InputError(
           "the driving forces are perpendicular to the swimmer's axis and only bend the swimmer, without a "
           "stroke along the axis");
-    question = with_open_space_motion(std::move(question));
     swimmer_facts.best = best_prediction(question);
   });
   return swimmer_facts;
@@ -88,13 +87,13 @@ std::vector<SwimmerFacts> evaluate_swimmers(const Layout& cell) {
 }
 
 /// Returns the changes of velocity and arm amplitudes by the box, the largest of all swimmers.
-ErrorEstimate changes_by_box(const std::vector<SwimmerFacts>& all) {
-  ErrorEstimate changes;
+MotionValues changes_by_box(const std::vector<SwimmerFacts>& all) {
+  MotionValues changes = MotionValues::Zero();
   for (const SwimmerFacts& swimmer_facts : all) {
     Question open = swimmer_facts.representative.question;
-    if (!open.box || !swimmer_facts.best) continue;
-    open.box.reset();
-    changes = componentwise_max(changes, difference(best_prediction(open), *swimmer_facts.best));
+    if (!open.surroundings.box || !swimmer_facts.best) continue;
+    open.surroundings.box.reset();
+    changes = changes.max(difference(best_prediction(open).motion, *swimmer_facts.best));
   }
   return changes;
 }
@@ -134,7 +133,7 @@ SceneFacts scene_facts(const Layout& in_layout_units, double cycles) {
   if (facts.cell.swimmers.size() > 1) {
     for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
       facts.disorder_growth = std::max(
-          facts.disorder_growth, growth_of_disorder(swimmer_facts.representative.question.swimmer, cycles));
+          facts.disorder_growth, growth_of_disorder(swimmer_facts.representative.question.line(), cycles));
   }
   return facts;
 }
@@ -144,7 +143,7 @@ std::string film_obstacle(const SwimmerFacts& swimmer_facts) {
   if (swimmer_facts.representative.is_stand_in) return {};  // its gaps are not those of the swimmer
   constexpr double thin = 0.5;  // at smaller gaps, docs/results/hard-shapes.sh found errors up to 300 %
   const double gap = swimmer_facts.best->smallest_stroke_gap /
-                     *std::ranges::min_element(swimmer_facts.representative.question.swimmer.radius);
+                     *std::ranges::min_element(swimmer_facts.representative.question.line().radius);
   if (gap >= thin) return {};
   return fmt::format(
       "the smallest gap between beads in the stroke is {:.3g} bead radii, where lubrication matters; "
@@ -152,17 +151,22 @@ std::string film_obstacle(const SwimmerFacts& swimmer_facts) {
       gap);
 }
 
-double output_bytes(const RunSettings& settings, std::size_t beads, double cells, double bytes_per_cell) {
+void complete_cost(PlannedRun& run, std::size_t beads, double cells, int ranks) {
   // Each of some 20 data sets begins with 16 KiB. A frame has 17 numbers, and for each bead position, image
   // and velocity; the flow has the velocity, the pressure and the number of the bead in each cell.
   constexpr double empty = 20 * 16384, bytes_per_frame = 17 * 8, bytes_per_bead = 9 * 4,
                    bytes_per_flow_cell = 5 * 4;  // [byte]
+  const RunSettings& settings = run.settings;
   const double frames = 1 + settings.cycles * settings.frames_per_cycle;
-  double bytes = empty + frames * (bytes_per_frame + bytes_per_bead * static_cast<double>(beads));
-  if (settings.flow_every)
-    bytes += std::floor(settings.cycles / *settings.flow_every + 1) * bytes_per_flow_cell * cells;
-  if (settings.checkpoint_every) bytes += 2 * cells * bytes_per_cell;
-  return bytes;
+  run.output_bytes = empty + frames * (bytes_per_frame + bytes_per_bead * static_cast<double>(beads));
+  if (settings.flow_every)  // on all cells; smaller grids count for little
+    run.output_bytes += std::floor(settings.cycles / *settings.flow_every + 1) * bytes_per_flow_cell * cells;
+  if (settings.checkpoint_every && cells > 0) run.output_bytes += 2 * run.memory_bytes;
+  // Start-up cost per rank [core-seconds] and memory of the program per rank without a scene [byte], from
+  // short runs (docs/results/plan-costs.sh).
+  constexpr double start_seconds = 0.01, program_bytes = 3e7;
+  run.core_seconds += start_seconds * ranks;
+  run.memory_bytes += program_bytes * ranks;
 }
 
 }  // namespace beadswim

@@ -28,7 +28,7 @@ struct SceneFacts {
   Layout cell;            ///< smallest cell whose repetition gives the scene
   Index3 cells{1, 1, 1};  ///< number of repetitions along x, y, z
   std::vector<SwimmerFacts> swimmer_facts;
-  ErrorEstimate box_changes;   ///< ExpectedErrors::box
+  MotionValues box_changes = MotionValues::Zero();  ///< ExpectedErrors::box
   std::string unvalidated;     ///< name of a type for which errors have not been validated; empty if none
   double disorder_growth = 1;  ///< factor by which deviations from the order of the swarm grow in the run
   /// Smallest height of a bead over the wall of a half-space at rest [radius].
@@ -54,8 +54,8 @@ inline bool is_simplified(const Representative& representative) {
 constexpr double approximation_factor = 2;
 
 /// Returns the largest expected errors of the swimmers that represent the scene. `error_of` returns the
-/// ErrorRange for one SwimmerFacts. It changes if it follows from a prediction of the motion. If the
-/// prediction is for a simplified scene, both arms get the larger limit, and limits are multiplied by
+/// ErrorRange for one SwimmerFacts. `is_predicted`: this error follows from a prediction of the motion. If
+/// the prediction is for a simplified scene, both arms get the larger limit, and limits are multiplied by
 /// approximation_factor. If forces act at an angle to the axis, all errors are multiplied by the growth of a
 /// tilt in half a period. The error of the velocity is always multiplied by the growth of disorder in the
 /// run.
@@ -66,26 +66,31 @@ ErrorRange scene_error(const SceneFacts& facts, const ErrorOf& error_of, bool is
     const bool is_slanted = is_predicted && swimmer_facts.representative.is_slanted;
     const double growth = is_slanted ? swimmer_facts.tilt_growth : 1;
     const ErrorRange error = error_of(swimmer_facts);
-    ErrorEstimate limit = scaled(growth, error.limit);
+    MotionValues limit = growth * error.limit;
     if (is_predicted && is_simplified(swimmer_facts.representative)) {
-      limit = scaled(approximation_factor, limit);
-      limit.arm_amplitudes.fill(limit.largest_of_arms());
+      limit *= approximation_factor;
+      limit.tail<2>().setConstant(limit.tail<2>().maxCoeff());
     }
-    largest.typical = componentwise_max(largest.typical, scaled(growth, error.typical));
-    largest.limit = componentwise_max(largest.limit, limit);
+    largest.typical = largest.typical.max(growth * error.typical);
+    largest.limit = largest.limit.max(limit);
   }
-  largest.typical.velocity *= facts.disorder_growth;
-  largest.limit.velocity *= facts.disorder_growth;
+  largest.typical[0] *= facts.disorder_growth;
+  largest.limit[0] *= facts.disorder_growth;
   return largest;
 }
 
-/// Start-up cost per rank [core-seconds] and memory of the program per rank without a scene [byte], measured
-/// in short runs (docs/results/plan-costs.sh).
-constexpr double start_seconds = 0.01, program_bytes = 3e7;
+/// Layout and request of a plan, with the facts of the layout. `source`: name of the layout in messages.
+struct PlanInput {
+  const Layout& layout;
+  const SceneFacts& facts;
+  const PlanRequest& request;
+  const std::string& source;
+  const Communicator& communicator;
+};
 
-/// Returns the disk space of the trajectory, the flow fields and the checkpoints [byte] for the given numbers
-/// of beads and lattice cells. `bytes_per_cell`: state of one lattice cell [byte].
-double output_bytes(const RunSettings& settings, std::size_t beads, double cells, double bytes_per_cell);
+/// Adds the start of the program on `ranks` ranks to cost and memory of a candidate, which are those of its
+/// scene, and sets its disk space. `cells`: cells of a lattice, whose state the memory is.
+void complete_cost(PlannedRun& run, std::size_t beads, double cells, int ranks);
 
 /// Returns the expected errors of a lattice run of the scene. `roundoff`: relative error of the velocity by
 /// roundoff, which the errors by resolution include. Throws InputError if theory cannot evaluate errors of a
@@ -102,11 +107,7 @@ std::string left_out_resolutions(const Layout& layout);
 
 /// Return the candidates (possible runs) with the model lbm and with mobility models, with their expected
 /// errors and costs. Collective.
-std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& facts,
-                                     const PlanRequest& request, const std::string& source,
-                                     const Communicator& communicator);
-std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& facts,
-                                      const PlanRequest& request, const std::string& source,
-                                      const Communicator& communicator);
+std::vector<PlannedRun> lattice_runs(const PlanInput& input);
+std::vector<PlannedRun> mobility_runs(const PlanInput& input);
 
 }  // namespace beadswim

@@ -81,7 +81,7 @@ void add_hard_cases_of(RunPlan& plan, const SwimmerFacts& swimmer_facts) {
         swimmer_facts.tilt_growth));
   reason_against([&] {  // an error is ignored here; the candidate reports it as PlannedRun::refused
     const ErrorEstimate stokes =
-        mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings{}).limit;
+        estimate_of(mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings{}).limit);
     if (stokes.largest() > plan.tolerance)
       add(
           fmt::format("inertia and other effects that mobility models neglect change the velocity by up to "
@@ -105,7 +105,8 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
     plan.hard.push_back(
         fmt::format("error estimates have not been validated for the type \"{}\": they are twice those of "
                     "three beads on a line with its largest radius, its mean bond length, its period and a "
-                    "similar stroke; compare runs with different resolutions",
+                    "similar stroke, and often too small for mobility models without inertia; compare runs "
+                    "with different resolutions",
                     facts.unvalidated));
   if (facts.cell.swimmers.size() > 1)
     plan.hard.push_back(
@@ -156,11 +157,10 @@ RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::st
   plan.ranks = communicator.size();
   const SceneFacts facts = scene_facts(layout, request.settings.cycles);
   plan.unvalidated = facts.unvalidated;
-  plan.runs = mobility_runs(layout, facts, request, source, communicator);
+  const PlanInput input{layout, facts, request, source, communicator};
+  plan.runs = mobility_runs(input);
   const bool has_lattices = request.allows(RunModel::lbm);
-  if (has_lattices)
-    std::ranges::move(lattice_runs(layout, facts, request, source, communicator),
-                      std::back_inserter(plan.runs));
+  if (has_lattices) std::ranges::move(lattice_runs(input), std::back_inserter(plan.runs));
   mark_runs_beyond_memory(plan.runs, communicator);
   choose(plan, communicator);
   if (!request.has_advice) return plan;

@@ -1,11 +1,10 @@
-#include "beadswim/plan/sound_flow.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "beadswim/core/complex.hpp"
+#include "beadswim/plan/lattice_lag.hpp"
 
 namespace beadswim {
 namespace {

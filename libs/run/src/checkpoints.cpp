@@ -13,7 +13,7 @@ namespace beadswim {
 namespace {
 
 constexpr const char *settings_section = "settings", *program_section = "program", *layout_section = "layout",
-                     *moment_section = "moment", *record_section = "record";
+                     *moment_section = "moment", *record_section = "record", *flow_section = "flow";
 
 /// Returns the path of a checkpoint of a trajectory. `slot`: 0 or 1.
 std::string slot_path(const std::string& trajectory, int slot) {
@@ -53,9 +53,9 @@ std::unique_ptr<CheckpointReader> latest_complete_checkpoint(
   }
   if (!last) {
     throw InputError(Setting::restart,
-                     fmt::format("{0}{1} has no checkpoint to continue from: neither {1}.ckpt.0 nor "
-                                 "{1}.ckpt.1 exists and is valid; write checkpoints with {2}",
-                                 faults, trajectory, Setting::checkpoint_every));
+                     "{0}{1} has no checkpoint to continue from: neither {1}.ckpt.0 nor {1}.ckpt.1 exists "
+                     "and is valid; write checkpoints with {2}",
+                     faults, trajectory, Setting::checkpoint_every);
   }
   if (!faults.empty() && message && communicator.is_root())
     message(fmt::format("{}continuing from the checkpoint {}", faults, last->path()));
@@ -105,10 +105,9 @@ std::unique_ptr<CheckpointReader> open_checkpoint(const std::string& restart,
                                                   const Communicator& communicator) {
   if (trajectory_of(restart) == restart) return latest_complete_checkpoint(restart, message, communicator);
   if (!exists(restart, communicator))
-    throw InputError(
-        Setting::restart,
-        fmt::format("the checkpoint {} does not exist; name FILE.h5md.ckpt.0, FILE.h5md.ckpt.1 or FILE.h5md",
-                    restart));
+    throw InputError(Setting::restart,
+                     "the checkpoint {} does not exist; name FILE.h5md.ckpt.0, FILE.h5md.ckpt.1 or FILE.h5md",
+                     restart);
   return std::make_unique<CheckpointReader>(restart, communicator);
 }
 
@@ -139,10 +138,9 @@ RunSettings settings_of(const CheckpointReader& checkpoint) {
   } catch (const Json::exception&) {
   } catch (const DataError&) {  // another version stored no settings
   }
-  throw InputError(
-      checkpoint.path(),
-      fmt::format("this version of the program cannot read the settings in the checkpoint; begin without {}",
-                  Setting::restart));
+  throw InputError(checkpoint.path(),
+                   "this version of the program cannot read the settings in the checkpoint; begin without {}",
+                   Setting::restart);
 }
 
 void require_same_results(const RunSettings& wanted, const RunSettings& present) {
@@ -150,15 +148,18 @@ void require_same_results(const RunSettings& wanted, const RunSettings& present)
     return row.changes_results && applies(row, present.model);
   };
   if (const auto found = find_difference(wanted, present, must_be_equal))
-    throw InputError(
-        found->setting,
-        fmt::format("the value {} differs from {}, the value in the run of the checkpoint; leave it "
-                    "out, or begin without {}",
-                    found->wanted, found->present, Setting::restart));
+    throw InputError(found->setting,
+                     "the value {} differs from {}, the value in the run of the checkpoint; leave it out, or "
+                     "begin without {}",
+                     found->wanted, found->present, Setting::restart);
 }
 
 std::string layout_of(const CheckpointReader& checkpoint) {
   return checkpoint.text(layout_section);
+}
+
+void require_flow_sums(const ModelPlan& plan, const CheckpointReader& checkpoint) {
+  with_checkpoint_remedy([&] { require_sums(*plan.flow, plan, checkpoint.bytes(flow_section)); });
 }
 
 long steps_done_in(const CheckpointReader& checkpoint) {
@@ -182,6 +183,7 @@ RunHistory restore(const RunParts& parts, const CheckpointReader& checkpoint) {
     parts.recorder.restore(
         parts.communicator.is_root() ? checkpoint.bytes(record_section) : std::vector<char>{},
         history.steps_done);
+    if (parts.flow) parts.flow->restore(checkpoint.bytes(flow_section));
   });
   return history;
 }
@@ -192,22 +194,18 @@ Checkpoints::Checkpoints(const RunTask& task, const ModelPlan& plan, const Commu
       layout_(dump_json(layout_to_json(task.document))),
       communicator_(communicator),
       last_(task.checkpoint ? task.checkpoint->path() : "") {
-  int slot = communicator_.is_root() ? slot_of(last_) : -1;
+  std::error_code ignored;
+  int slot = -1;  // of the checkpoint from which the run continues; -1: it is no file of this run
+  for (const int own : {0, 1})
+    if (communicator_.is_root() && !last_.empty() &&
+        std::filesystem::equivalent(last_, slot_path(trajectory_, own), ignored))
+      slot = own;
   MPI_Bcast(&slot, 1, MPI_INT, 0, communicator_.get());
   if (slot >= 0) {
     slot_ = 1 - slot;  // the next checkpoint must not overwrite the one from which the run continues
   } else if (communicator_.is_root() && !trajectory_.empty()) {
     for (const int other : {0, 1}) rename_old_checkpoint(slot_path(trajectory_, other));
   }
-}
-
-int Checkpoints::slot_of(const std::string& checkpoint) const {
-  std::error_code ignored;
-  for (const int slot : {0, 1}) {
-    if (!checkpoint.empty() && std::filesystem::equivalent(checkpoint, slot_path(trajectory_, slot), ignored))
-      return slot;
-  }
-  return -1;
 }
 
 void Checkpoints::write(const RunParts& parts, const RunHistory& history) {
@@ -225,6 +223,7 @@ void Checkpoints::write(const RunParts& parts, const RunHistory& history) {
   file.add(moment_section, moment.bytes());
   parts.model.write_state(file);
   file.add(record_section, record);
+  file.add(flow_section, parts.flow ? parts.flow->state() : std::vector<char>{});
   parts.trajectory->add_to(file);
   file.finish();
   last_ = path;

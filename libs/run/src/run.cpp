@@ -28,11 +28,19 @@ void warn_of_missing_cycles(ModelPlan& plan) {
     needed = std::max(needed, end);
   }
   if (missing > 0)
-    plan.warnings.push_back(
-        {"no-cycle",
-         fmt::format("the run is too short for a complete cycle of {} of {} swimmers, so it gives neither "
-                     "velocity nor stroke of them; run {:.6g} cycles or more",
-                     missing, plan.swimmers.size(), needed / cycle)});
+    add_warning(plan.warnings, "no-cycle",
+                "the run is too short for a complete cycle of {} of {} swimmers, so it gives neither "
+                "velocity nor stroke of them; run {:.6g} cycles or more",
+                missing, plan.swimmers.size(), needed / cycle);
+}
+
+/// Returns the edge of a cell of the lattice, or the smallest radius of a bead [length].
+double usual_flow_spacing(const ModelPlan& plan) {
+  if (plan.lattice()) return plan.units.length;
+  double smallest = INFINITY;
+  for (const std::vector<double>& of_type : plan.radii)
+    smallest = std::min(smallest, *std::ranges::min_element(of_type));
+  return smallest;
 }
 
 /// Returns the absolute path, which different names of a file share.
@@ -63,12 +71,6 @@ void write_paraview_index(const std::string& path, const RunSinks& sinks) {
   }
 }
 
-std::vector<RunWarning> late_warnings(const RunParts& parts) {
-  std::vector<RunWarning> warnings = parts.model.warnings();
-  std::ranges::move(parts.recorder.warnings(), std::back_inserter(warnings));
-  return warnings;
-}
-
 /// Continues from the checkpoint of the task, if there is one, runs the time loop, and makes the record.
 RunResult run_and_record(const RunParts& parts, RunTask& task) {
   std::optional<RunHistory> history;
@@ -76,7 +78,8 @@ RunResult run_and_record(const RunParts& parts, RunTask& task) {
   task.checkpoint.reset();  // closes the file: a replaced open file would still use disk space
   const RunOutcome outcome = run_to_end(parts, history);
   RunResult result;
-  result.late_warnings = late_warnings(parts);
+  result.late_warnings = parts.model.warnings();
+  std::ranges::move(parts.recorder.warnings(), std::back_inserter(result.late_warnings));
   result.record = make_record(parts, task.document, outcome, result.late_warnings);
   result.steps_done = outcome.history.steps_done;
   if (parts.trajectory == nullptr) return result;
@@ -87,30 +90,31 @@ RunResult run_and_record(const RunParts& parts, RunTask& task) {
 
 }  // namespace
 
-std::optional<StopRequest> stop_by_signal(int signal) {
+std::optional<EarlyStop> stop_by_signal(int signal) {
   if (signal == 0) return std::nullopt;
-  return StopRequest{.reason = fmt::format("the run was stopped by signal {}", signal)};
+  return EarlyStop{.reason = fmt::format("the run was stopped by signal {}", signal)};
 }
 
 std::unique_ptr<ModelPlan> plan_for(const RunTask& task, const Communicator& communicator) {
   require_ranges(task.settings);
+  require_flow_syntax(task.settings);
   const auto make_plan = task.settings.model == RunModel::lbm ? lattice_plan : overdamped_plan;
   std::unique_ptr<ModelPlan> plan = make_plan(task.document.layout, task.settings, task.source, communicator);
   if (const int frames = plan->settings.frames_per_cycle; frames > plan->steps_per_cycle)
-    plan->warnings.push_back(
-        {"few-steps",
-         fmt::format("a cycle has only {} time steps, so {} frames per cycle are recorded instead of {}",
-                     plan->steps_per_cycle, plan->steps_per_cycle, frames)});
+    add_warning(plan->warnings, "few-steps",
+                "a cycle has only {} time steps, so {} frames per cycle are recorded instead of {}",
+                plan->steps_per_cycle, plan->steps_per_cycle, frames);
   if (const std::string warning = warning_of_fixed_forces(task.document.layout); !warning.empty())
     plan->warnings.push_back({"forces-fixed-in-box", warning});
   if (!task.trajectory.empty() && !paraview_can_open(task.trajectory))
-    plan->warnings.push_back(
-        {"paraview-name",
-         fmt::format("ParaView cannot open the name {}: it needs ASCII characters without colon, backslash "
-                     "and ~, and no space at the start; give another name with {}",
-                     task.trajectory, Setting::output)});
+    add_warning(plan->warnings, "paraview-name",
+                "ParaView cannot open the name {}: it needs ASCII characters without colon, backslash and ~, "
+                "and no space at the start; give another name with {}",
+                task.trajectory, Setting::output);
+  plan->flow = flow_request(plan->settings, task.document.layout, usual_flow_spacing(*plan));
   warn_of_missing_cycles(*plan);
   if (task.checkpoint) plan->steps_done = steps_done_in(*task.checkpoint);
+  if (task.checkpoint && plan->flow) require_flow_sums(*plan, *task.checkpoint);
   const double cycles = plan->settings.cycles;
   require_end_after(cycles, plan->steps_in(cycles), plan->steps_done, plan->steps_per_cycle);
   return plan;
@@ -140,14 +144,18 @@ TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan
     header.time_unit = units.time.name;
   }
   header.creator_version = version() + " (" + revision() + ")";
+  header.has_forces = plan.settings.frames_with == FrameContent::forces;
   header.layout = dump_json(layout_to_json(document));
   header.cycle_columns = columns_of<CycleStatistics>({}, widest_cycle(document.layout));
   return header;
 }
 
 RunResult run(RunTask& task, const ModelPlan& plan, const RunSinks& sinks, const Communicator& communicator) {
-  const std::unique_ptr<Model> model =
-      plan.make(task.trajectory, continues_same_trajectory(task) ? plan.steps_done : 0);
+  const std::unique_ptr<Model> model = plan.make();
+  std::optional<FlowOutput> flow;
+  if (plan.flow && !task.trajectory.empty())
+    flow.emplace(*plan.flow, plan, task.document.layout, task.trajectory,
+                 continues_same_trajectory(task) ? plan.steps_done : 0, communicator);
   std::optional<TrajectoryWriter> trajectory;
   if (!task.trajectory.empty())
     trajectory.emplace(task.trajectory, header_of(task.document, plan), communicator, task.checkpoint.get());
@@ -160,6 +168,7 @@ RunResult run(RunTask& task, const ModelPlan& plan, const RunSinks& sinks, const
                        .model = *model,
                        .trajectory = writer,
                        .recorder = recorder,
+                       .flow = flow ? &*flow : nullptr,
                        .checkpoints = checkpoints};
   try {
     RunResult result = run_and_record(parts, task);

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <array>
 #include <optional>
 
 #include "beadswim/core/error.hpp"
@@ -21,8 +20,8 @@ constexpr long steps_between_totals = 500;
 
 /// Returns the request to stop of the first rank that has one; nullopt if none has. The result is the same on
 /// all ranks. Collective.
-std::optional<StopRequest> stop_request(const RunSinks& sinks, const Communicator& communicator) {
-  std::optional<StopRequest> request = sinks.stop ? sinks.stop() : std::nullopt;
+std::optional<EarlyStop> stop_request(const RunSinks& sinks, const Communicator& communicator) {
+  std::optional<EarlyStop> request = sinks.stop ? sinks.stop() : std::nullopt;
   int first = request ? communicator.rank() : communicator.size();
   MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, communicator.get());
   if (first == communicator.size()) return std::nullopt;
@@ -34,17 +33,15 @@ std::optional<StopRequest> stop_request(const RunSinks& sinks, const Communicato
 
 /// Time steps at which outputs and checks are due. An interval of 0 means that the output is never due.
 struct Timetable {
-  long steps = 0, guard_interval = 0, totals_interval = 0, flow_interval = 0, checkpoint_interval = 0;
+  long steps = 0, guard_interval = 0, totals_interval = 0, checkpoint_interval = 0;
 
   explicit Timetable(const ModelPlan& plan)
       : steps(plan.steps_in(plan.settings.cycles)),
         guard_interval(plan.whole_steps(steps_between_guards)),
         totals_interval(round_up_to_multiple(steps_between_totals, guard_interval)),
-        flow_interval(interval(plan, plan.settings.flow_every)),
         checkpoint_interval(interval(plan, plan.settings.checkpoint_every)) {}
 
   bool is_last(long step) const { return step == steps; }
-  bool is_flow(long step) const { return flow_interval > 0 && step % flow_interval == 0; }
   bool is_checkpoint(long step) const {
     return checkpoint_interval > 0 && (is_last(step) || step % checkpoint_interval == 0);
   }
@@ -60,26 +57,24 @@ struct Timetable {
 
 class TimeLoop {
  public:
-  TimeLoop(const RunParts& parts, const RunHistory& history)
-      : parts_(parts), history_(history), due_(parts.plan) {}
-
-  /// Records the first frame of a new run.
-  void record_start() {
-    outcome_.last_totals = parts_.model.first_totals();
-    parts_.recorder.sample(parts_.model);
-    parts_.recorder.record(parts_.model, outcome_.last_totals);
+  TimeLoop(const RunParts& parts, const std::optional<RunHistory>& history)
+      : parts_(parts), history_(history.value_or(RunHistory{})), due_(parts.plan) {
+    outcome_.last_totals = history ? parts.model.totals() : parts.model.first_totals();
+    if (history) return;
+    parts.recorder.sample(parts.model);
+    parts.recorder.record(parts.model, outcome_.last_totals);  // the first frame of a new run
   }
-  void resume() { outcome_.last_totals = parts_.model.totals(); }
 
   RunOutcome run() {
     while (step() < due_.steps && outcome_.status == RunStatus::finished) {
       parts_.model.step();
       parts_.recorder.sample(parts_.model);
       const bool is_guard = due_.is_guard(step()), is_frame = parts_.recorder.is_due(step());
-      if (!is_guard && !is_frame && !due_.is_flow(step())) continue;
+      const bool is_flow = parts_.flow && parts_.flow->is_due(step());
+      if (!is_guard && !is_frame && !is_flow) continue;
       if (!is_sound(is_frame)) break;
       if (is_frame) parts_.recorder.record(parts_.model, outcome_.last_totals);
-      if (due_.is_flow(step())) parts_.model.write_flow();
+      if (is_flow) parts_.flow->take(parts_.model);
       if (is_guard) guard();
     }
     outcome_.history = current_history();
@@ -95,9 +90,9 @@ class TimeLoop {
     ModelTotals totals = outcome_.last_totals;
     if (is_frame || due_.is_last(step()) || due_.is_checkpoint(step()) || step() % due_.totals_interval == 0)
       totals = parts_.model.totals();
-    if (const std::optional<ModelFault> fault = parts_.model.fault()) {
+    if (const std::optional<EarlyStop> fault = parts_.model.fault()) {
       outcome_.status = fault->status;
-      outcome_.reason = fault->message;
+      outcome_.reason = fault->reason;
       return false;
     }
     outcome_.last_totals = totals;
@@ -108,7 +103,7 @@ class TimeLoop {
   void guard() {
     if (parts_.communicator.is_root() && parts_.sinks.progress) parts_.sinks.progress(step());
     bool is_checkpoint = due_.is_checkpoint(step());
-    const std::optional<StopRequest> stop =
+    const std::optional<EarlyStop> stop =
         due_.is_last(step()) ? std::nullopt : stop_request(parts_.sinks, parts_.communicator);
     if (stop) {
       outcome_.status = stop->status;
@@ -137,13 +132,7 @@ class TimeLoop {
 }  // namespace
 
 RunOutcome run_to_end(const RunParts& parts, const std::optional<RunHistory>& history) {
-  TimeLoop loop(parts, history.value_or(RunHistory{}));
-  if (history) {
-    loop.resume();
-  } else {
-    loop.record_start();
-  }
-  return loop.run();
+  return TimeLoop(parts, history).run();
 }
 
 }  // namespace beadswim

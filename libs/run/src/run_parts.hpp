@@ -4,6 +4,7 @@
 #include <string>
 
 #include "beadswim/run/run.hpp"
+#include "flow/flow_output.hpp"
 #include "record/recorder.hpp"
 
 // The parts of run(): time loop, checkpoints, record and header of the trajectory. They share RunParts.
@@ -34,6 +35,7 @@ struct RunParts {
   Model& model;
   TrajectoryWriter* trajectory;  ///< nullptr: none is written
   Recorder& recorder;
+  FlowOutput* flow;  ///< nullptr: none is written
   Checkpoints& checkpoints;
 };
 
@@ -59,8 +61,6 @@ class Checkpoints {
   const std::string& last() const { return last_; }
 
  private:
-  int slot_of(const std::string& checkpoint) const;  ///< 0 or 1: file of this run; -1: another file
-
   std::string trajectory_, settings_, layout_;
   const Communicator& communicator_;
   int slot_ = 0;  ///< number of the file of the next checkpoint: 0 or 1
@@ -71,6 +71,9 @@ class Checkpoints {
 /// it. RunSinks::message takes a warning if another version of the program wrote the checkpoint. Throws
 /// SolverError if the checkpoint belongs to another scene or has another format. Collective.
 RunHistory restore(const RunParts& parts, const CheckpointReader& checkpoint);
+
+/// Throws InputError if the flow that the run needs from before the checkpoint is not in it (require_sums()).
+void require_flow_sums(const ModelPlan& plan, const CheckpointReader& checkpoint);
 
 /// Throws SolverError because the checkpoint has contents of another version of the program.
 [[noreturn]] void refuse_other_version(const CheckpointReader& checkpoint);

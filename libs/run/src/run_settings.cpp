@@ -26,13 +26,18 @@ std::string reason_against_scope(SettingScope scope, RunModel model) {
       Setting::model);
 }
 
-/// Returns the values of all settings.
-std::vector<std::string> all_texts(const RunSettings& settings) {
+/// Calls visit(row, value in `one`, value in `other`) for all settings, with the values as text.
+void for_each_setting(const RunSettings& one, const RunSettings& other, const auto& visit) {
   std::vector<std::string> texts;
-  visit_fields([&](const char*, const auto& value,
-                   const SettingRow& row) { texts.push_back(setting_text(row, value)); },
-               settings);
-  return texts;
+  const auto add = [&](const char*, const auto& value, const SettingRow& row) {
+    texts.push_back(setting_text(row, value));
+  };
+  visit_fields(add, other);
+  auto text = texts.begin();
+  const auto visit_both = [&](const char*, const auto& value, const SettingRow& row) {
+    visit(row, setting_text(row, value), *text++);
+  };
+  visit_fields(visit_both, one);
 }
 
 /// Returns why a number is outside the range of a setting; empty if it is inside.
@@ -92,20 +97,15 @@ void require_ranges(const RunSettings& settings) {
 }
 
 std::string settings_text(const RunSettings& settings, const std::set<Setting>& chosen) {
-  const std::vector<std::string> defaults = all_texts({});
-  auto usual = defaults.begin();
   std::string text;
-  visit_fields(
-      [&]<class T>(const char*, const T& field, const SettingRow& row) {
-        const std::string value = setting_text(row, field);
-        bool is_usual = value == *usual++ && !chosen.contains(row.setting);
-        if constexpr (is_optional<T>) is_usual = is_usual || !field;
-        const bool is_of_model =
-            row.scope != SettingScope::all && row.changes_results && applies(row, settings.model);
-        if (row.setting == Setting::model || (is_of_model && (row.is_always_named || !is_usual)))
-          text += fmt::format("{}{} {}", text.empty() ? "" : " ", row.setting, value);
-      },
-      settings);
+  const auto add = [&](const SettingRow& row, const std::string& value, const std::string& usual) {
+    const bool is_usual = value == row.word_of_none || (value == usual && !chosen.contains(row.setting));
+    const bool is_of_model =
+        row.scope != SettingScope::all && row.changes_results && applies(row, settings.model);
+    if (row.setting == Setting::model || (is_of_model && (row.is_always_named || !is_usual)))
+      text += fmt::format("{}{} {}", text.empty() ? "" : " ", row.setting, value);
+  };
+  for_each_setting(settings, {}, add);
   return text;
 }
 
@@ -113,15 +113,11 @@ std::optional<SettingDifference> find_difference(
     const RunSettings& wanted, const RunSettings& present,
     const std::function<bool(const SettingRow&)>& must_be_equal) {
   std::optional<SettingDifference> found;
-  const std::vector<std::string> texts = all_texts(present);
-  auto text = texts.begin();
-  visit_fields(
-      [&](const char*, const auto& value, const SettingRow& row) {
-        const std::string is = *text++, wants = setting_text(row, value);
-        if (found || wants.empty() || wants == is || !must_be_equal(row)) return;
-        found = {.setting = row.setting, .wanted = wants, .present = is.empty() ? "the default" : is};
-      },
-      wanted);
+  const auto compare = [&](const SettingRow& row, const std::string& wants, const std::string& is) {
+    if (found || wants.empty() || wants == is || !must_be_equal(row)) return;
+    found = {.setting = row.setting, .wanted = wants, .present = is.empty() ? "the default" : is};
+  };
+  for_each_setting(wanted, present, compare);
   return found;
 }
 

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/reason_against.hpp"
 #include "beadswim/lattice/trt.hpp"
 #include "beadswim/theory/linear_response.hpp"
-#include "beadswim/theory/perturbation.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
 
 namespace beadswim {
@@ -29,27 +27,16 @@ struct Speeds {
   double bead, swimmer;  ///< of the fastest bead; of the swimmer, period average [cell/step]
 };
 
-/// Returns the speeds of a swimmer of any shape, in the directions of its type. The speed of the swimmer
-/// includes that of its ends by rotation.
-Speeds predicted_speeds_of_shape(const SwimmerType& type, double viscosity) {
-  const ShapedSwimmer swimmer{type, Eigen::Matrix3d::Identity(), viscosity};
-  const ShapeMotion motion = second_order_motion(swimmer, rotne_prager_tensor);
-  const double reach = motion.mean_shape.colwise().norm().maxCoeff();
-  const double omega = 2 * std::numbers::pi / type.driving.period;
-  double swing = 0;
-  for (const double amplitude : motion.stroke.amplitude) swing = std::max(swing, amplitude);
-  const double swimming = motion.velocity_vector.norm() + motion.angular_velocity.norm() * reach;
-  return {.bead = omega * swing + swimming, .swimmer = swimming};
-}
-
-/// Returns the speeds of a swimmer of this type; of three beads, with the driving along their axis.
+/// Returns the speeds of a swimmer of this type; of three beads, with the driving along their axis. The speed
+/// of the swimmer includes that of its ends by rotation.
 Speeds predicted_speeds(const SwimmerType& type, double viscosity) {
-  const std::optional<CollinearSwimmer> swimmer = collinear_swimmer(type, viscosity);
-  if (!swimmer) return predicted_speeds_of_shape(type, viscosity);
-  const CollinearMobility mobility = rest_mobility(*swimmer, rotne_prager);
-  const Eigen::Vector3cd displacement = linear_response(*swimmer, mobility.value).displacement;
-  return {.bead = swimmer->angular_frequency() * displacement.cwiseAbs().maxCoeff(),
-          .swimmer = std::abs(second_order_motion(*swimmer, mobility).velocity)};
+  const ShapedSwimmer shape{type, Eigen::Matrix3d::Identity(), viscosity};
+  const double bead = first_order_motion(shape, rotne_prager_tensor).largest_speed();
+  if (const std::optional<CollinearSwimmer> line = collinear_swimmer(type, viscosity))
+    return {bead, std::abs(second_order_motion(*line, rest_mobility(*line, rotne_prager)).velocity)};
+  const ShapeMotion motion = second_order_motion(shape, rotne_prager_tensor);
+  const double reach = motion.mean_shape.colwise().norm().maxCoeff();
+  return {bead, motion.velocity_vector.norm() + motion.angular_velocity.norm() * reach};
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "beadswim/scene/bead_gaps.hpp"
 
 #include <algorithm>
-#include <limits>
 
-#include "beadswim/core/cell_list.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 

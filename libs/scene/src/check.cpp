@@ -14,6 +14,7 @@
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/unit_scales.hpp"
 #include "beadswim/scene/units.hpp"
+#include "beadswim/swimmers/hinges.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 
@@ -39,20 +40,19 @@ std::string swimmer_place(std::size_t index, const char* key) {
   return fmt::format("/swimmers/{}/{}", index, key);
 }
 
-void check_unit(Quantity quantity, const Units::Unit& unit, const char* place, Faults& faults) {
-  const Units::Unit* known = find_known_unit(quantity, unit.name);
-  constexpr double tolerance = 1e-9;
-  if (!known || std::abs(unit.si_factor / known->si_factor - 1) < tolerance) return;
-  faults.add(fmt::format("{}/si_factor", place),
-             "the factor {} is wrong: one {} is {} in SI units; give that factor or another unit name",
-             unit.si_factor, unit.name, known->si_factor);
-}
-
 void check_units(const Units& units, Faults& faults) {
   if (units.lattice) return;
-  check_unit(Quantity::length, units.length, "/units/length", faults);
-  check_unit(Quantity::time, units.time, "/units/time", faults);
-  check_unit(Quantity::mass, units.mass, "/units/mass", faults);
+  const auto check = [&](Quantity quantity, const Units::Unit& unit, const char* key) {
+    const Units::Unit* known = find_known_unit(quantity, unit.name);
+    constexpr double tolerance = 1e-9;
+    if (!known || std::abs(unit.si_factor / known->si_factor - 1) < tolerance) return;
+    faults.add(fmt::format("/units/{}/si_factor", key),
+               "the factor {} is wrong: one {} is {} in SI units; give that factor or another unit name",
+               unit.si_factor, unit.name, known->si_factor);
+  };
+  check(Quantity::length, units.length, "length");
+  check(Quantity::time, units.time, "time");
+  check(Quantity::mass, units.mass, "mass");
 }
 
 void check_graph(const std::string& place, const SwimmerType& type, Faults& faults) {
@@ -83,18 +83,11 @@ void check_graph(const std::string& place, const SwimmerType& type, Faults& faul
 /// Reports beads that no chain of bonds joins to bead 1.
 void check_connections(const std::string& place, const SwimmerType& type, Faults& faults) {
   std::vector<bool> reached(type.beads.size());
-  std::vector<int> next{0};
   reached[0] = true;
-  while (!next.empty()) {
-    const int bead = next.back();
-    next.pop_back();
-    for (const Bond& bond : type.bonds) {
-      for (int end = 0; end < 2; ++end) {
-        const int other = bond.beads[1 - end];
-        if (bond.beads[end] != bead || reached[other]) continue;
-        reached[other] = true;
-        next.push_back(other);
-      }
+  for (std::size_t round = 0; round < reached.size(); ++round) {
+    for (const auto& bond : type.bonds) {
+      const auto [i, j] = bond.beads;
+      if (reached[i] || reached[j]) reached[i] = reached[j] = true;
     }
   }
   for (std::size_t b = 0; b < reached.size(); ++b) {
@@ -148,11 +141,80 @@ double largest_change(const auto& drives, auto&& is_of) {
   return sum;
 }
 
+/// Reports hinges that cannot bend about their normals.
+void check_normals(const std::string& place, const SwimmerType& type, Faults& faults) {
+  const BeadVectors at = columns_of_beads(rest_positions(type, Vec3::Zero(), Eigen::Matrix3d::Identity()));
+  for (std::size_t k = 0; k < type.angles.size(); ++k) {
+    const Angle& angle = type.angles[k];
+    if (!angle.normal) continue;
+    const std::string key = fmt::format("{}/angles/{}/normal", place, k);
+    const auto& sides = sides_of(angle, at).direction;
+    constexpr double upright = 1e-6;  // cosine
+    if (std::abs(angle.normal->norm() - 1) > axis_tolerance ||
+        std::abs(angle.normal->dot(sides[0])) > upright || std::abs(angle.normal->dot(sides[1])) > upright) {
+      faults.add(key,
+                 "the normal {} is not perpendicular to the sides of the angle at rest; give the axis about "
+                 "which the beads turn, as [0, 0, 1] for beads in the plane z = 0",
+                 in_words(*angle.normal));
+    } else if (!separates_beads(type, angle)) {
+      const auto [i, j, l] = angle.beads;
+      faults.add(key,
+                 "bonds join beads {} and {} also past bead {}, so that the angle is no hinge; remove the "
+                 "normal or these bonds",
+                 i + 1, l + 1, j + 1);
+    }
+  }
+}
+
+/// Reports a swimmer with hinges that do not determine its orientation at all times of the cycle.
+void check_orientation_by_hinges(const std::string& place, const SwimmerType& type, Faults& faults) {
+  if (!has_hinges(type)) return;
+  const auto beads = [](const SwimmerType& shape) {
+    return columns_of_beads(rest_positions(shape, Vec3::Zero(), Eigen::Matrix3d::Identity()));
+  };
+  constexpr int times = 1024;
+  constexpr double thin = 0.02;
+  double narrowest = std::numeric_limits<double>::infinity(), widest = 0;
+  bool is_upright = true;
+  for (int m = 0; m < times; ++m) {
+    const BeadVectors shape = beads(at_rest_angles(type, type.driving.period * m / times));
+    narrowest = std::min(narrowest, width_of(shape));
+    widest = std::max(widest, width_of(shape));
+    const Eigen::Matrix3d fit = fitted_orientation(type, shape, Eigen::Matrix3d::Identity());
+    for (const Angle& angle : type.angles)
+      is_upright = is_upright && (!angle.normal || angle.normal->dot(fit * *angle.normal) > 0);
+  }
+  constexpr double roundoff = 1e-6;
+  const BeadVectors at = beads(type);
+  const double straight = roundoff * at.colwise().norm().maxCoeff();
+  if (widest > straight && narrowest < thin * widest) {
+    faults.add(place + "/driving/angles",
+               "all beads come in line in the cycle, where it is undetermined to which side the hinges bend; "
+               "let them pass straight one after the other, or give the swimmer a bead beside the line");
+  } else if (widest > straight && width_of(at) <= straight && !has_driven_shape(type.driving)) {
+    faults.add(place + "/beads",
+               "all beads are in line, where it is undetermined to which side the hinges bend; place the "
+               "beads at the rest angles");
+  } else if (!is_upright) {
+    faults.add(
+        place + "/beads",
+        "the hinges bend the swimmer to the mirror image of its shape at rest, which is the same shape "
+        "turned over; place the beads with straight hinges, all in line");
+  }
+}
+
 /// Reports angular springs whose force has no direction, because the beads are in line at rest although the
-/// rest angle is another or is driven, or whose rest angle leaves the range from 0 to pi.
+/// rest angle is another or is driven, or whose rest angle leaves the range from 0 to pi, with a normal from
+/// -pi to pi.
 void check_angles(const std::string& place, const SwimmerType& type, Faults& faults) {
   constexpr double smallest_sine = 1e-6;
   for (std::size_t k = 0; k < type.angles.size(); ++k) {
+    if (type.angles[k].normal) continue;
+    if (type.angles[k].rest < 0)
+      faults.add(fmt::format("{}/angles/{}/rest", place, k),
+                 "the rest angle {:.6g} is negative, but the angle has no side; give it a \"normal\", or "
+                 "the angle from 0 to pi",
+                 type.angles[k].rest);
     const double theta = angle_at_rest(type, type.angles[k]);
     const auto drive = std::ranges::find(type.driving.angles, static_cast<int>(k), &AngleDrive::angle);
     const bool is_driven = drive != type.driving.angles.end();
@@ -160,19 +222,25 @@ void check_angles(const std::string& place, const SwimmerType& type, Faults& fau
     faults.add(is_driven ? fmt::format("{}/driving/angles/{}", place, drive - type.driving.angles.begin())
                          : fmt::format("{}/angles/{}/rest", place, k),
                "the three beads are in line at rest, so that the force of another rest angle has no "
-               "direction; place the beads of this angle off a line");
+               "direction; place the beads of this angle off a line, or give the angle a \"normal\"");
   }
   for (std::size_t n = 0; n < type.driving.angles.size(); ++n) {
     const int k = type.driving.angles[n].angle;
     const double rest = type.angles[k].rest;
     const double change =
         largest_change(type.driving.angles, [k](const AngleDrive& drive) { return drive.angle == k; });
-    if (rest - change > 0 && rest + change < std::numbers::pi) continue;
+    const bool has_normal = type.angles[k].normal.has_value();
+    const double lowest = has_normal ? -std::numbers::pi : 0;
+    if (rest - change > lowest && rest + change < std::numbers::pi) continue;
     faults.add(fmt::format("{}/driving/angles/{}", place, n),
-               "the rest angle {:.6g} changes by up to {:.6g}, but must stay between 0 and pi; "
-               "lower the amplitudes",
-               rest, change);
+               "the rest angle {:.6g} changes by up to {:.6g}, but must stay between {} and pi; "
+               "lower the amplitudes{}",
+               rest, change, has_normal ? "-pi" : "0",
+               has_normal ? "" : ", or give the angle a \"normal\" to let it pass straight");
   }
+  const std::size_t before = faults.size();
+  check_normals(place, type, faults);
+  if (faults.size() == before) check_orientation_by_hinges(place, type, faults);
 }
 
 /// Reports drives of beads, bonds and angles that do not exist, directions of length zero, and
@@ -238,7 +306,6 @@ void check_types(const std::map<std::string, SwimmerType>& types, Faults& faults
   }
 }
 
-/// Checks the drives of swimmers that have their own.
 void check_own_driving(const Layout& layout, Faults& faults) {
   for (std::size_t i = 0; i < layout.swimmers.size(); ++i) {
     const Swimmer& swimmer = layout.swimmers[i];
@@ -248,6 +315,32 @@ void check_own_driving(const Layout& layout, Faults& faults) {
     const std::size_t before = faults.size();
     check_driving(swimmer_place(i, "driving"), type, faults);
     if (faults.size() == before) check_angles(fmt::format("/swimmers/{}", i), type, faults);
+  }
+}
+
+/// Reports starts with another number of beads than the type, or with bonds that are too long.
+void check_starts(const Layout& layout, Faults& faults) {
+  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
+    const auto type = layout.types.find(layout.swimmers[s].type);
+    if (!layout.swimmers[s].start || type == layout.types.end()) continue;
+    const std::vector<Vec3>& places = layout.swimmers[s].start->positions;
+    const std::string place = swimmer_place(s, "start/positions");
+    if (places.size() != type->second.beads.size()) {
+      faults.add(place,
+                 "the start has {} positions, but the type \"{}\" has {} beads; give one for each bead",
+                 places.size(), type->first, type->second.beads.size());
+      continue;
+    }
+    for (const Bond& bond : type->second.bonds) {
+      const auto [i, j] = bond.beads;
+      const double length = (places[j] - places[i]).norm();
+      if (length <= max_stretch * bond.rest_length) continue;
+      faults.add(
+          place,
+          "beads {} and {} are {:.6g} apart, more than twice the rest length {} of their bond; positions "
+          "of a swimmer are not wrapped into the box",
+          i + 1, j + 1, length, bond.rest_length);
+    }
   }
 }
 
@@ -425,13 +518,6 @@ void check_overlaps(const Layout& layout, const std::vector<PlacedBead>& beads, 
   }
 }
 
-/// Keeps the first fault of each place in the document, because a misplaced swimmer usually has several
-/// faulty beads.
-void keep_first_of_each_place(Faults& faults) {
-  std::unordered_set<std::string> seen;
-  std::erase_if(faults, [&seen](const LayoutFault& fault) { return !seen.insert(fault.place).second; });
-}
-
 }  // namespace
 
 std::vector<LayoutFault> check_layout(const Layout& layout) {
@@ -440,6 +526,7 @@ std::vector<LayoutFault> check_layout(const Layout& layout) {
   check_types(layout.types, faults);
   if (faults.empty()) check_own_driving(layout, faults);
   check_type_names(layout, faults);
+  if (faults.empty()) check_starts(layout, faults);
   check_ids(layout.swimmers, faults);
   check_axes(layout.swimmers, faults);
   if (layout.domain.box) check_wall_velocities(*layout.domain.box, faults);
@@ -454,7 +541,9 @@ std::vector<LayoutFault> check_layout(const Layout& layout) {
   if (layout.domain.box) check_walls(*layout.domain.box, beads, faults);
   if (layout.domain.half_space) check_heights(*layout.domain.half_space, beads, faults);
   if (faults.empty()) check_overlaps(layout, beads, faults);
-  keep_first_of_each_place(faults);
+  std::unordered_set<std::string>
+      seen;  // keeps one fault of a misplaced swimmer, which has several faulty beads
+  std::erase_if(faults, [&seen](const LayoutFault& fault) { return !seen.insert(fault.place).second; });
   return faults;
 }
 

@@ -33,9 +33,8 @@ std::size_t resolved_count(const ShareOrCount& share_or_count, std::size_t all, 
     return static_cast<std::size_t>(std::lround(*fraction * static_cast<double>(all)));
   const auto count = static_cast<std::size_t>(std::get<std::int64_t>(share_or_count));
   if (count <= all) return count;
-  throw InputError(
-      Setting::count,
-      fmt::format("the count {} is greater than the number of {}, {}; reduce the count", count, things, all));
+  throw InputError(Setting::count, "the count {} is greater than the number of {}, {}; reduce the count",
+                   count, things, all);
 }
 
 /// Selects `count` of the indices 0 ... keys.size() - 1 at random: each key yields a random number, and the
@@ -55,10 +54,9 @@ std::vector<std::size_t> draw_keys(const std::vector<std::uint64_t>& keys, std::
 
 const Box& required_box(const Layout& layout, const char* defect) {
   if (layout.domain.box) return *layout.domain.box;
-  throw InputError(
-      "/domain",
-      fmt::format("the fluid is unbounded ({}), but {} requires a box; make the layout with {} X,Y,Z",
-                  in_words(layout.domain), defect, Setting::box));
+  throw InputError("/domain",
+                   "the fluid is unbounded ({}), but {} requires a box; make the layout with {} X,Y,Z",
+                   in_words(layout.domain), defect, Setting::box);
 }
 
 /// Returns the gap to other surfaces that the positions of added swimmers must have, and that displaced
@@ -69,39 +67,24 @@ double min_clearance(const Layout& layout) {
 
 double positive_factor(const Swimmer& swimmer, double factor, const char* what) {
   if (factor > 0) return factor;
-  throw InputError(Setting::sigma, fmt::format("the random factor of the {} of swimmer {} is {:.3g}, but "
-                                               "must be positive; reduce {} or choose another {}",
-                                               what, swimmer.id, factor, Setting::sigma, Setting::seed));
+  throw InputError(Setting::sigma,
+                   "the random factor of the {} of swimmer {} is {:.3g}, but must be positive; reduce {} or "
+                   "choose another {}",
+                   what, swimmer.id, factor, Setting::sigma, Setting::seed);
 }
 
-/// Displacement of a swimmer whose beads are too close to other beads or to walls. It is the mean of the
-/// displacements that the pairs of close beads require, plus, along each axis, the largest displacement that
-/// walls require.
-class Push {
- public:
-  void add_bead_push(const Vec3& push) {
-    beads_ += push;
-    ++bead_pushes_;
-  }
-  void add_wall_push(int axis, double push) {
-    if (std::abs(push) > std::abs(walls_[axis])) walls_[axis] = push;
-  }
-  Vec3 move() const { return walls_ + beads_ / std::max(bead_pushes_, 1); }
-
- private:
-  Vec3 beads_ = Vec3::Zero(), walls_ = Vec3::Zero();
-  int bead_pushes_ = 0;
+/// Displacements that a swimmer whose beads are too close to other beads or to walls requires [length].
+struct Push {
+  Vec3 beads = Vec3::Zero();  ///< sum over the pairs of close beads
+  int pairs = 0;
+  Vec3 walls = Vec3::Zero();  ///< the largest along each axis
 };
-
-/// Multiplies all forces, tensions, and changes of rest lengths and rest angles by `factor`.
-void scale_amplitudes(Driving& driving, double factor) {
-  for_each_harmonic(driving, [factor](Harmonic& harmonic) { harmonic.amplitude *= factor; });
-  for (ForceDrive& drive : driving.forces) drive.constant *= factor;
-}
 
 /// Gives the swimmer an axis. A swimmer with a turn of its own is turned by the shortest turn onto this axis.
 void set_axis(Swimmer& swimmer, const Vec3& axis) {
-  if (swimmer.turn) swimmer.turn = (shortest_turn(swimmer.axis, axis) * *swimmer.turn).normalized();
+  const Eigen::Quaterniond turn = shortest_turn(swimmer.axis, axis);
+  if (swimmer.turn) swimmer.turn = (turn * *swimmer.turn).normalized();
+  swimmer.turn_start(turn);
   swimmer.axis = axis;
 }
 
@@ -132,8 +115,8 @@ std::vector<std::size_t> draw_swimmer_indices(const Layout& layout, const ShareO
 void add_vacancies(Layout& layout, const ShareOrCount& share_or_count, std::uint64_t seed) {
   const std::vector<std::size_t> gone = draw_swimmer_indices(layout, share_or_count, seed);
   if (gone.size() == layout.swimmers.size())
-    throw InputError("vacancy", fmt::format("the defect would remove all swimmers; reduce {} or {}",
-                                            Setting::count, Setting::fraction));
+    throw InputError("vacancy", "the defect would remove all swimmers; reduce {} or {}", Setting::count,
+                     Setting::fraction);
   std::size_t s = 0;
   std::erase_if(layout.swimmers, [&](const Swimmer&) { return std::ranges::binary_search(gone, s++); });
 }
@@ -163,12 +146,14 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
                                 : static_cast<std::size_t>(std::get<std::int64_t>(share_or_count));
   Swimmer added = layout.swimmers.front();
   added.driving.reset();
+  added.start.reset();
   for (const Swimmer& swimmer : layout.swimmers) added.id = std::max(added.id, swimmer.id);
   const auto ids_left = static_cast<std::size_t>(std::numeric_limits<int>::max() - added.id);
   if (count > ids_left) {
-    throw InputError("interstitial", fmt::format("the largest possible id is {}, and the swimmers have ids "
-                                                 "up to {}; give the swimmers smaller ids",
-                                                 std::numeric_limits<int>::max(), added.id));
+    throw InputError(
+        "interstitial",
+        "the largest possible id is {}, and the swimmers have ids up to {}; give the swimmers smaller ids",
+        std::numeric_limits<int>::max(), added.id);
   }
   const SwimmerType type = at_start(layout.types.at(added.type));
   constexpr int max_trials = 100000;
@@ -179,9 +164,10 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
     int trials = 0;
     do {
       if (trials++ == max_trials)
-        throw InputError("interstitial", fmt::format("no free place for swimmer {} was found in {} trials; "
-                                                     "the box is too full: add fewer swimmers",
-                                                     added.id, max_trials));
+        throw InputError(
+            "interstitial",
+            "no free place for swimmer {} was found in {} trials; the box is too full: add fewer swimmers",
+            added.id, max_trials);
       for (int a = 0; a < 3; ++a) added.position[a] = domain.lengths[a] * random.uniform();
       centres = rest_positions(type, added.position, added.orientation());
     } while (!std::ranges::equal(centres, type.beads, is_free, {}, &Bead::radius));
@@ -203,7 +189,7 @@ void jitter(Layout& layout, const std::vector<std::size_t>& chosen, double sigma
   for (const std::size_t s : chosen) {
     Swimmer& swimmer = layout.swimmers[s];
     KeyedRandom random = swimmer_random(swimmer, seed, Purpose::place);
-    swimmer.position = wrapped(swimmer.position + sigma * random.normal3(), layout.domain.box);
+    swimmer.move_to(wrapped(swimmer.position + sigma * random.normal3(), layout.domain.box));
   }
 }
 
@@ -256,7 +242,8 @@ void disorder_amplitudes(Layout& layout, const std::vector<std::size_t>& chosen,
   change_driving(layout, chosen, seed, Purpose::strength,
                  [&](const Swimmer& swimmer, Driving& driving, KeyedRandom& random) {
                    const double factor = positive_factor(swimmer, 1 + sigma * random.normal(), "amplitudes");
-                   scale_amplitudes(driving, factor);
+                   for_each_harmonic(driving, [&](Harmonic& harmonic) { harmonic.amplitude *= factor; });
+                   for (ForceDrive& drive : driving.forces) drive.constant *= factor;
                  });
 }
 
@@ -272,16 +259,19 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
                   std::uint64_t seed) {
   const int axis = spacing.axis;
   const bool periodic = layout.domain.box && layout.domain.box->is_periodic(axis);
-  for (Swimmer& swimmer : layout.swimmers) swimmer.position = wrapped(swimmer.position, layout.domain.box);
+  for (Swimmer& swimmer : layout.swimmers) swimmer.move_to(wrapped(swimmer.position, layout.domain.box));
   std::vector<std::size_t> order(layout.swimmers.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto height = [&](std::size_t s) -> double& { return layout.swimmers[s].position[axis]; };
+  const auto height = [&](std::size_t s) { return layout.swimmers[s].position[axis]; };
+  const auto raise = [&](std::size_t s, double by) {
+    layout.swimmers[s].move_to(layout.swimmers[s].position + by * Vec3::Unit(axis));
+  };
   std::ranges::sort(order, {}, [&](std::size_t s) { return height(s); });
   const double same = 1e-6 * smallest_radius(layout);
   if (periodic) {  // joins the two parts of a layer that lies at a periodic face
     const double length = layout.domain.box->lengths[axis];
     while (height(order.back()) > length - same && height(order.front()) < same) {
-      height(order.back()) -= length;
+      raise(order.back(), -length);
       std::rotate(order.begin(), order.end() - 1, order.end());
     }
   }
@@ -306,21 +296,19 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
       double more = spacing.sigma * KeyedRandom(seed, n, Purpose::layer).normal();
       if (spacing.whole > 0) more = spacing.whole * std::round(more / spacing.whole);
       if (here - before + more <= 0) {
-        throw InputError(
-            Setting::sigma,
-            fmt::format("two neighbours of the {} layers of swimmers are {:.4g} apart, and the random change "
-                        "of this distance by {:.4g} would make the layers exchange places; reduce {} or "
-                        "choose another {}, and apply jitter only after this defect",
-                        layers.size(), here - before, more, Setting::sigma, Setting::seed));
+        throw InputError(Setting::sigma,
+                         "two neighbours of the {} layers of swimmers are {:.4g} apart, and the random "
+                         "change of this distance by {:.4g} would make the layers exchange places; reduce {} "
+                         "or choose another {}, and apply jitter only after this defect",
+                         layers.size(), here - before, more, Setting::sigma, Setting::seed);
       }
       shift += more;
     }
     before = here;
-    for (const std::size_t s : layers[n]) height(s) += shift;
+    for (const std::size_t s : layers[n]) raise(s, shift);
   }
-  if (!layout.domain.box) return;
-  layout.domain.box->lengths[axis] += shift;
-  for (Swimmer& swimmer : layout.swimmers) swimmer.position = wrapped(swimmer.position, layout.domain.box);
+  if (layout.domain.box) layout.domain.box->lengths[axis] += shift;
+  for (Swimmer& swimmer : layout.swimmers) swimmer.move_to(wrapped(swimmer.position, layout.domain.box));
 }
 
 void repair_overlaps(Layout& layout) {
@@ -340,35 +328,38 @@ void repair_overlaps(Layout& layout) {
       any = true;
       const Vec3 separation = nearest_separation(one.centre, other.centre, layout.domain.box);
       const Vec3 away = pair.distance > 0 ? Vec3(separation / pair.distance) : Vec3(Vec3::UnitZ());
-      pushes[one.swimmer].add_bead_push(-0.5 * missing_gap * away);
-      pushes[other.swimmer].add_bead_push(0.5 * missing_gap * away);
+      pushes[one.swimmer].beads += -0.5 * missing_gap * away;
+      pushes[other.swimmer].beads += 0.5 * missing_gap * away;
+      for (const std::size_t swimmer : {one.swimmer, other.swimmer}) ++pushes[swimmer].pairs;
     }
+    const auto push_off_wall = [&](std::size_t swimmer, int axis, double push) {
+      if (std::abs(push) <= tolerance) return;
+      any = true;
+      double& largest = pushes[swimmer].walls[axis];
+      if (std::abs(push) > std::abs(largest)) largest = push;
+    };
     for (const PlacedBead& bead : beads) {
       if (const auto& half_space = layout.domain.half_space) {
         const double upward = bead.radius + clearance - half_space->height(bead.centre);
-        if (upward > tolerance) {
-          any = true;
-          pushes[bead.swimmer].add_wall_push(half_space->axis, upward);
-        }
+        push_off_wall(bead.swimmer, half_space->axis, std::max(upward, 0.0));
       }
       for (int a = 0; layout.domain.box && a < 3; ++a) {
         if (layout.domain.box->is_periodic(a)) continue;
         const double low = bead.radius + clearance, high = layout.domain.box->lengths[a] - low;
         const double inward = std::clamp(bead.centre[a], low, std::max(low, high)) - bead.centre[a];
-        if (std::abs(inward) <= tolerance) continue;
-        any = true;
-        pushes[bead.swimmer].add_wall_push(a, inward);
+        push_off_wall(bead.swimmer, a, inward);
       }
     }
     if (!any) return;
-    for (std::size_t s = 0; s < pushes.size(); ++s)
-      layout.swimmers[s].position =
-          wrapped(layout.swimmers[s].position + pushes[s].move(), layout.domain.box);
+    for (std::size_t s = 0; s < pushes.size(); ++s) {
+      const Vec3 move = pushes[s].walls + pushes[s].beads / std::max(pushes[s].pairs, 1);
+      layout.swimmers[s].move_to(wrapped(layout.swimmers[s].position + move, layout.domain.box));
+    }
   }
   throw InputError(Setting::repair,
-                   fmt::format("beads are still too close to each other after {} attempts to move "
-                               "overlapping swimmers apart; enlarge the box or reduce the defects",
-                               max_passes));
+                   "beads are still too close to each other after {} attempts to move overlapping swimmers "
+                   "apart; enlarge the box or reduce the defects",
+                   max_passes);
 }
 
 }  // namespace beadswim

@@ -36,7 +36,7 @@ bool is_same_driving(const Driving& driving, const Eigen::Matrix3d& rotation) {
 
 std::string warning_of_fixed_forces(const Layout& layout) {
   const auto is_left_behind = [&layout](const Swimmer& swimmer) {
-    const Driving& driving = swimmer.driving ? *swimmer.driving : layout.types.at(swimmer.type).driving;
+    const Driving& driving = layout.driving_of(swimmer);
     return driving.frame == DrivingFrame::lab && !is_same_driving(driving, swimmer.orientation()) &&
            net_forces(driving).empty();
   };

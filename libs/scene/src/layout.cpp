@@ -13,6 +13,17 @@ Eigen::Matrix3d Swimmer::orientation() const {
   return orientation;
 }
 
+void Swimmer::move_to(const Vec3& new_position) {
+  if (start)
+    for (Vec3& bead : start->positions) bead += new_position - position;
+  position = new_position;
+}
+
+void Swimmer::turn_start(const Eigen::Quaterniond& rotation) {
+  if (start)
+    for (Vec3& bead : start->positions) bead = position + rotation * (bead - position);
+}
+
 const Driving& Layout::driving_of(const Swimmer& swimmer) const {
   return swimmer.driving ? *swimmer.driving : types.at(swimmer.type).driving;
 }

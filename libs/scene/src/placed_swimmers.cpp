@@ -17,6 +17,7 @@ Swarm listed_swimmers(const Layout& layout) {
     if (type == std::ssize(swarm.types)) swarm.types.push_back(layout.resolved_type(swimmer));
     swarm.swimmers.push_back(
         {.id = swimmer.id, .type = type, .position = swimmer.position, .orientation = swimmer.orientation()});
+    if (swimmer.start) swarm.swimmers.back().start = swimmer.start->positions;
   }
   return swarm;
 }
@@ -43,8 +44,10 @@ std::vector<Vec3> start_positions(const Swarm& swarm) {
   for (const SwimmerType& type : swarm.types) starts.push_back(at_start(type));
   std::vector<Vec3> positions;
   for (const PlacedSwimmer& swimmer : swarm.swimmers) {
-    for (const Vec3& bead : rest_positions(starts[swimmer.type], swimmer.position, swimmer.orientation))
-      positions.push_back(bead);
+    const std::vector<Vec3> beads =
+        swimmer.start.empty() ? rest_positions(starts[swimmer.type], swimmer.position, swimmer.orientation)
+                              : swimmer.start;
+    positions.insert(positions.end(), beads.begin(), beads.end());
   }
   return positions;
 }

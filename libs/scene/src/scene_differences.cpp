@@ -65,6 +65,7 @@ constexpr PropertyRow property_rows[]{
     {"/position*", "placing"},
     {"/axis*", "placing"},
     {"/orientation*", "placing"},
+    {"/start*", "placing"},
 };
 
 const PropertyRow* row_of(const std::string& pointer) {
@@ -197,8 +198,11 @@ std::optional<SceneDifference> placing_difference(const Layout& run, const Layou
                           orientation_text(pair.reference));
       return difference(pair, "with axis", vector_text(pair.run.axis), vector_text(pair.reference.axis));
     }
-    const double offset = run.resolved_type(pair.run).driving.phase_offset;
-    const double other = reference.resolved_type(pair.reference).driving.phase_offset;
+    if (pair.run.start.has_value() != pair.reference.start.has_value())
+      return difference(pair, "starts", pair.run.start ? "as given" : "at rest",
+                        pair.reference.start ? "as given" : "at rest");
+    const double offset = run.driving_of(pair.run).phase_offset;
+    const double other = reference.driving_of(pair.reference).phase_offset;
     if (!agree(offset, other)) return difference(pair, "with phase offset", offset, other);
   }
   return std::nullopt;
@@ -278,12 +282,12 @@ void add_differences(std::vector<SceneDifference>& differences, const ScenePrope
   for (const auto& [property, value] : run) {
     const auto other = reference.find(property);
     if (other == reference.end() || agree(value, other->second)) continue;
-    if (std::ranges::find(differences, property, &SceneDifference::property) != differences.end()) continue;
+    if (std::ranges::find(differences, property, &SceneDifference::name) != differences.end()) continue;
     const std::string note = value.text == other->second.text ? ", of another shape" : "";
     differences.push_back({property, prefix + value.text, prefix + other->second.text + note});
   }
   std::ranges::stable_sort(differences, {}, [](const SceneDifference& difference) {
-    return std::ranges::find(scene_property_names(), difference.property) - scene_property_names().begin();
+    return std::ranges::find(scene_property_names(), difference.name) - scene_property_names().begin();
   });
 }
 

@@ -7,14 +7,9 @@
 namespace beadswim {
 namespace {
 
-/// Returns the distance along x between the first and the last bead centre [length].
-double length_between_centres(const SwimmerType& type) {
-  return reach_of_centres(type, 0).length();
-}
-
 /// Returns the distances along x, y and z between the origins of neighbouring swimmers in one block [length].
 Vec3 pitch(const SwarmPlan& plan, const SwimmerType& type) {
-  return plan.core_gap + length_between_centres(type) * Vec3::UnitX();
+  return plan.core_gap + reach_of_centres(type, 0).length() * Vec3::UnitX();
 }
 
 /// Calls visit(Vec3(i, j, k)) for each cell of a grid, i fastest.
@@ -32,7 +27,7 @@ void for_each_place(const Index3& grid, Visit&& visit) {
 Vec3 block_lengths(const SwarmPlan& plan, const SwimmerType& type) {
   // Along each axis, n swimmers have n - 1 distances within the block, and one distance to the next block.
   const Vec3 last = (plan.block_swimmers - 1).cast<double>().matrix().cwiseProduct(pitch(plan, type));
-  return last + length_between_centres(type) * Vec3::UnitX() + plan.block_gap;
+  return last + reach_of_centres(type, 0).length() * Vec3::UnitX() + plan.block_gap;
 }
 
 Box swarm_box(const SwarmPlan& plan, const SwimmerType& type) {

@@ -56,6 +56,8 @@ void visit_layout(auto& layout, const UnitScales& units, auto&& visit) {
   for (auto& [name, type] : layout.types) visit_type(type, units, visit);
   for (auto& swimmer : layout.swimmers) {
     visit_components("position", swimmer.position, units.length);
+    if (swimmer.start)
+      for (auto& bead : swimmer.start->positions) visit_components("start position", bead, units.length);
     if (swimmer.driving) visit_driving(*swimmer.driving, units, visit);
   }
 }

@@ -20,14 +20,6 @@ const Units::Unit* find_known_unit(Quantity quantity, const std::string& name) {
   return unit == units.end() ? nullptr : &*unit;
 }
 
-bool same_units(const Units& a, const Units& b) {
-  const auto same = [](const Units::Unit& u, const Units::Unit& v) {
-    return u.name == v.name && u.si_factor == v.si_factor;
-  };
-  if (a.lattice || b.lattice) return a.lattice == b.lattice;
-  return same(a.length, b.length) && same(a.time, b.time) && same(a.mass, b.mass);
-}
-
 std::string length_unit(const Units& units) {
   return units.lattice ? "lattice units" : units.length.name;
 }

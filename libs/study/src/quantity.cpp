@@ -12,6 +12,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/io/fields_json.hpp"
+#include "beadswim/scene/combine.hpp"
 #include "beadswim/study/named_quantity.hpp"
 
 namespace beadswim {
@@ -89,6 +90,29 @@ void require_effect(const Json& layout, const std::string& name, const std::stri
                         name, source));
 }
 
+/// Returns true for a name such as /swimmers/0/rotate/z.
+bool is_turn(const std::string& name) {
+  const std::vector<std::string> steps = is_pointer(name) ? steps_of(name) : std::vector<std::string>{};
+  return steps.size() == 4 && steps[0] == "swimmers" && steps[2] == "rotate";
+}
+
+/// Turns the swimmer to which a name such as /swimmers/0/rotate/z leads.
+void turn_named(Layout& layout, const std::string& name, const Json& angle, const std::string& flag) {
+  const std::vector<std::string> steps = steps_of(name);
+  const std::size_t axis = steps[3].size() == 1 ? std::string("xyz").find(steps[3]) : std::string::npos;
+  std::size_t s = 0;
+  const auto [end, fault] = std::from_chars(steps[1].data(), steps[1].data() + steps[1].size(), s);
+  if (axis == std::string::npos || fault != std::errc() || s >= layout.swimmers.size() || !angle.is_number())
+    throw InputError(flag,
+                     fmt::format("\"{}\" turns no swimmer; write /swimmers/N/rotate/AXIS=ANGLE,... with a "
+                                 "number N from 0 to {}, an axis x, y or z and angles such as 90deg",
+                                 name, layout.swimmers.size() - 1));
+  Swimmer& swimmer = layout.swimmers[s];
+  turn_swimmer(
+      swimmer, layout.resolved_type(swimmer),
+      Eigen::Quaterniond(Eigen::AngleAxisd(angle.get<double>(), Vec3::Unit(static_cast<int>(axis)))));
+}
+
 /// Returns the layout with the values in its types and its fluid. The swimmers keep the drivings of their
 /// own.
 Json with_named_values(const LayoutDocument& document, const QuantityValues& values,
@@ -124,15 +148,20 @@ std::string quantity_name(const std::string& text, const std::string& flag) {
 }
 
 LayoutDocument with_values(const Json& layout, const StudyPoint& point, const std::string& source,
-                           const std::string& flag) {
+                           const std::string& flag, const StudyPoint& present) {
   Json json = layout;
   QuantityValues named;
+  StudyPoint turns;
   std::string values;
+  for (const StudyPoint* values_of : {&point, &present})
+    for (const auto& [name, value] : *values_of)
+      values +=
+          fmt::format("{}{}={}", values.empty() ? "" : ", ", name,
+                      value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>()));
   for (const auto& [name, value] : point) {
-    const std::string text =
-        value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
-    values += fmt::format("{}{}={}", values.empty() ? "" : ", ", name, text);
-    if (is_pointer(name)) {
+    if (is_turn(name)) {
+      turns.emplace_back(name, value);
+    } else if (is_pointer(name)) {
       add_left_out(json, name);
       Json& place = value_at(json, name, source, flag);
       const bool is_whole = (place.is_null() || place.is_number_integer()) && value.is_number() &&
@@ -149,13 +178,19 @@ LayoutDocument with_values(const Json& layout, const StudyPoint& point, const st
   LayoutDocument document = layout_from_json(json, changed);
   for (const auto& [name, value] : named) require_effect(json, name, source, flag);
   if (!named.empty()) document = layout_from_json(with_named_values(document, named, source), changed);
+  for (const auto& [name, value] : turns) turn_named(document.layout, name, value, flag);
+  if (!turns.empty()) document = layout_from_json(layout_to_json(document), changed);
+  document.made_by = {};
   if (document.study.is_null()) document.study = Json::object();
-  for (const auto& [name, value] : point) {
-    if (document.study.contains(name))
-      throw InputError(source, fmt::format("the layout belongs to a study of \"{}\" already; vary something "
-                                           "else, or start from a layout without \"study\"",
-                                           name));
-    document.study[name] = value;
+  for (const StudyPoint* values_of : {&point, &present}) {
+    for (const auto& [name, value] : *values_of) {
+      if (document.study.contains(name))
+        throw InputError(source,
+                         fmt::format("the layout belongs to a study of \"{}\" already; vary something "
+                                     "else, or start from a layout without \"study\"",
+                                     name));
+      document.study[name] = value;
+    }
   }
   return document;
 }

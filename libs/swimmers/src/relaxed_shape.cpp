@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "beadswim/swimmers/hinges.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_matrices.hpp"
 
@@ -27,10 +28,8 @@ double energy_of(const SwimmerType& springs, const BeadVectors& beads) {
   double energy = 0;
   for (const Bond& bond : springs.bonds)
     energy += bond.stiffness / 2 * std::pow(length_of(bond, beads) - bond.rest_length, 2);
-  for (const Angle& angle : springs.angles) {
-    const AngleSides sides = sides_of(angle, beads);
-    energy += angle.stiffness / 2 * std::pow(std::atan2(sides.sine, sides.cosine) - angle.rest, 2);
-  }
+  for (std::size_t k = 0; k < springs.angles.size(); ++k)
+    energy += springs.angles[k].stiffness / 2 * std::pow(bending_of(springs, k, 0, beads), 2);
   return energy;
 }
 
@@ -74,7 +73,8 @@ bool has_driven_shape(const Driving& driving) {
          std::ranges::count(driving.bonds, BondQuantity::rest_length, &BondDrive::quantity) > 0;
 }
 
-RelaxedShape relaxed_shape(const SwimmerType& type) {
+RelaxedShape relaxed_shape(const SwimmerType& given) {
+  const SwimmerType type = at_rest_angles(given, 0);
   const BeadVectors at = columns_of_beads(rest_positions(type, Vec3::Zero(), Eigen::Matrix3d::Identity()));
   if (type.bonds.empty()) return {.beads = at, .is_converged = true};
   const SwimmerType springs = springs_at_start(type);

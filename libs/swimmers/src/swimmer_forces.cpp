@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "beadswim/core/complex.hpp"
+#include "beadswim/swimmers/hinges.hpp"
 
 namespace beadswim {
 namespace {
@@ -101,8 +103,15 @@ AngleSides sides_of(const Angle& angle, const BeadVectors& position) {
 
 BeadVectors angle_forces(const SwimmerType& type, double time, const BeadVectors& position) {
   BeadVectors force = zero_vectors(type);
+  std::optional<HingeFit> fit;
+  if (has_hinges(type)) fit = fit_hinges(type, time, position);
   for (std::size_t k = 0; k < type.angles.size(); ++k) {
     const Angle& angle = type.angles[k];
+    if (angle.normal) {
+      const auto [strain, derivative] = hinge_strain(*fit, angle, rest_angle(type, k, time), position);
+      force.reshaped() -= angle.stiffness * derivative.transpose() * strain;
+      continue;
+    }
     const auto [i, j, l] = angle.beads;
     const auto [direction, length, cosine, sine] = sides_of(angle, position);
     // Gradients of the bending energy U = K_A (theta - rest)^2/2 with respect to the vectors of the sides.
@@ -183,8 +192,7 @@ double power_of_drives(const SwimmerType& type, double time, const BeadVectors& 
   }
   for (const AngleDrive& drive : driving.angles) {
     const Angle& angle = type.angles[drive.angle];
-    const AngleSides sides = sides_of(angle, position);
-    power -= angle.stiffness * (std::atan2(sides.sine, sides.cosine) - rest_angle(type, drive.angle, time)) *
+    power -= angle.stiffness * (angle_of(type, angle, time, position) - rest_angle(type, drive.angle, time)) *
              rate_of(drive.harmonics, driving, time);
   }
   return power;

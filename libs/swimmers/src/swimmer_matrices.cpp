@@ -1,5 +1,9 @@
 #include "beadswim/swimmers/swimmer_matrices.hpp"
 
+#include <optional>
+
+#include "beadswim/swimmers/hinges.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -76,11 +80,17 @@ SwimmerMatrix<Size> own_stiffness(const SwimmerType& type, double time, const Be
     stiffness.template block<3, 3>(3 * i, 3 * j) -= block;
     stiffness.template block<3, 3>(3 * j, 3 * i) -= block;
   }
+  std::optional<HingeFit> fit;
+  if (has_hinges(type)) fit = fit_hinges(type, time, positions);
   for (std::size_t k = 0; k < type.angles.size(); ++k) {
-    if (rest_angle(type, k, time) == 0) {
-      add_straight_angle(type.angles[k], positions, stiffness);
+    const Angle& angle = type.angles[k];
+    if (angle.normal) {
+      const auto B = hinge_strain(*fit, angle, rest_angle(type, k, time), positions).derivative;
+      stiffness += angle.stiffness * B.transpose().lazyProduct(B);
+    } else if (rest_angle(type, k, time) == 0) {
+      add_straight_angle(angle, positions, stiffness);
     } else {
-      add_bent_angle(type.angles[k], positions, stiffness);
+      add_bent_angle(angle, positions, stiffness);
     }
   }
   return stiffness;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "beadswim/swimmers/hinges.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -94,9 +96,14 @@ double angle_between(const Angle& angle, std::span<const Vec3> positions) {
 }
 
 double angle_at_rest(const SwimmerType& type, const Angle& angle) {
-  const double theta = angle_between(angle, rest_positions(type, Vec3::Zero(), Eigen::Matrix3d::Identity()));
+  const std::vector<Vec3> at = rest_positions(type, Vec3::Zero(), Eigen::Matrix3d::Identity());
+  const double theta = angle_between(angle, at);
   constexpr double roundoff = 1e-9;
   if (theta < roundoff) return 0;
+  if (angle.normal) {
+    const auto [i, j, l] = angle.beads;
+    return std::copysign(theta, angle.normal->dot((at[j] - at[i]).cross(at[l] - at[j])));
+  }
   return theta > std::numbers::pi - roundoff ? std::numbers::pi : theta;
 }
 

@@ -64,7 +64,7 @@ ThreeBeadSwimmer three_beads(const SwimmerType& type) {
   if (std::optional<ThreeBeadSwimmer> three = three_bead_form(type)) return *three;
   throw InputError(
       "the swimmer is not the paper's (three beads in a line with two springs, one angular spring and forces "
-      "A, B along the line), the only one that theory treats; beadswim-run moves swimmers of any shape");
+      "A, B along the line); describe it in version 2 of layouts");
 }
 
 }  // namespace beadswim

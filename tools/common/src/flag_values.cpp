@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 #include <optional>
+#include <ranges>
 
 #include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
@@ -133,11 +134,8 @@ CLI::Validator one_of(std::vector<std::string> words) {
 
 std::vector<std::string> split_at(char separator, const std::string& text) {
   std::vector<std::string> parts;
-  std::size_t start = 0;
-  for (std::size_t end; (end = text.find(separator, start)) != std::string::npos; start = end + 1) {
-    parts.push_back(text.substr(start, end - start));
-  }
-  parts.push_back(text.substr(start));
+  for (const auto& part : std::views::split(text, separator)) parts.emplace_back(part.begin(), part.end());
+  if (text.empty()) parts.emplace_back();
   return parts;
 }
 

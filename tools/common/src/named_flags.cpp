@@ -1,6 +1,5 @@
 #include "beadswim/tools/named_flags.hpp"
 
-#include <fmt/core.h>
 #include "beadswim/core/joined.hpp"
 
 namespace beadswim {

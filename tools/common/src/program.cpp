@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <map>
 
-#include "beadswim/core/error.hpp"
 #include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/core/setting.hpp"
@@ -78,17 +77,16 @@ std::vector<std::string> others_with_flag(const std::string& word, const CLI::Ap
   const std::string word = name.substr(std::min(name.find_first_not_of('-'), name.size()));
   const std::vector<std::string> known = long_names(command);
   if (std::ranges::find(known, word) != known.end())
-    throw InputError(
-        name, fmt::format("the flag is in the wrong place; write the flag after \"{}\"", full_name(command)));
+    throw InputError(name, "the flag is in the wrong place; write the flag after \"{}\"", full_name(command));
   if (const auto others = others_with_flag(word, command); !others.empty()) {
-    throw InputError(name, fmt::format("the command \"{}\" does not have this flag; only these commands have "
-                                       "the flag: {}; remove the flag",
-                                       command.get_name(), joined(others, ", ")));
+    throw InputError(
+        name,
+        "the command \"{}\" does not have this flag; only these commands have the flag: {}; remove the flag",
+        command.get_name(), joined(others, ", "));
   }
   const std::string nearest = nearest_name(word, known);
-  throw InputError(
-      name, fmt::format("unknown flag{} \"{} --help\" lists all flags",
-                        nearest.empty() ? "." : "; did you mean --" + nearest + "?", full_name(command)));
+  throw InputError(name, "unknown flag{} \"{} --help\" lists all flags",
+                   nearest.empty() ? "." : "; did you mean --" + nearest + "?", full_name(command));
 }
 
 /// Throws InputError if the command line contains an argument that the parser could not use. The message
@@ -104,13 +102,13 @@ void refuse_leftovers(const CLI::App& program) {
   if (leftovers.empty()) return;
   if (word->empty()) throw InputError("command line", "an argument is empty; is a shell variable not set?");
   if (lacks_command)
-    throw InputError(*word, fmt::format("unknown command{} One of these must come first: {}",
-                                        format_suggestion(*word, commands), joined(commands, ", ")));
-  throw InputError(*word, fmt::format("unexpected argument{}. \"{} --help\" lists what is allowed",
-                                      finite()(split_at_commas(*word).front()).empty()
-                                          ? "; join the numbers of one flag by commas, without spaces"
-                                          : "",
-                                      full_name(command)));
+    throw InputError(*word, "unknown command{} One of these must come first: {}",
+                     format_suggestion(*word, commands), joined(commands, ", "));
+  throw InputError(*word, "unexpected argument{}. \"{} --help\" lists what is allowed",
+                   finite()(split_at_commas(*word).front()).empty()
+                       ? "; join the numbers of one flag by commas, without spaces"
+                       : "",
+                   full_name(command));
 }
 
 /// Throws InputError if a flag is given twice or without its value.
@@ -150,8 +148,7 @@ void refuse_empty_values(const CLI::App& command) {
 void refuse_absent(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_required() || option->count() > 0) continue;
-    throw InputError(option->get_name(),
-                     fmt::format("required but not given; see \"{} --help\"", full_name(command)));
+    throw InputError(option->get_name(), "required but not given; see \"{} --help\"", full_name(command));
   }
 }
 
@@ -162,15 +159,13 @@ void refuse_combinations(const CLI::App& command) {
     if (option->count() == 0) continue;
     for (const CLI::Option* other : option->get_excludes()) {
       if (other->count() == 0) continue;
-      throw InputError(
-          option->get_name(),
-          fmt::format("the flag cannot be combined with {}; remove one of the two flags", other->get_name()));
+      throw InputError(option->get_name(), "the flag cannot be combined with {}; remove one of the two flags",
+                       other->get_name());
     }
     for (const CLI::Option* other : option->get_needs()) {
       if (other->count() > 0) continue;
-      throw InputError(
-          option->get_name(),
-          fmt::format("the flag has no effect without {0}; add {0}, or remove the flag", other->get_name()));
+      throw InputError(option->get_name(), "the flag has no effect without {0}; add {0}, or remove the flag",
+                       other->get_name());
     }
   }
 }
@@ -191,7 +186,7 @@ void refuse_combinations(const CLI::App& command) {
   const std::vector<std::string> commands = command_names(command);
   const std::string what =
       commands.empty() ? text : fmt::format("a command is needed: {}", joined(commands, ", "));
-  throw InputError("command line", fmt::format("{}; see \"{} --help\"", what, full_name(command)));
+  throw InputError("command line", "{}; see \"{} --help\"", what, full_name(command));
 }
 
 /// Adds the flags of the command line with their values, in the order of the help, and the names of commands
@@ -265,6 +260,14 @@ std::optional<int> parse_command_line(CLI::App& program, int argc, const char* c
     refuse_command_line(program, error);
   }
   return static_cast<int>(ExitStatus::fine);
+}
+
+void require_csv_path(const std::string& path, const std::string& flag) {
+  if (path.ends_with(".csv") || path == "-") return;
+  throw InputError(flag,
+                   fmt::format("the file name \"{}\" does not end in .csv; give a name with this ending, "
+                               "or - for standard output",
+                               path));
 }
 
 void require_other_file(const std::string& input, const std::string& output) {

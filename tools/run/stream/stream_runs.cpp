@@ -71,8 +71,8 @@ std::optional<MemberResult> earlier_result(const StreamMember& member, const Run
   const Json schema = found.is_object() ? found.value("schema", Json("")) : Json("");
   if (!schema.is_string() || !schema.get<std::string>().starts_with("beadswim/run/"))
     throw InputError(run.record,
-                     "this file is no run record, but the record of a layout would replace "
-                     "it; move it, or give another name with -o");
+                     "this file is no run record, but the record of a layout would replace it; move it, or "
+                     "give another name with -o");
   const bool is_same = found.value("request_sha256", Json()) == run.request_sha256;
   return is_same && std::filesystem::exists(run.trajectory, ignored) ? std::optional(result_of(found))
                                                                      : std::nullopt;
@@ -86,9 +86,9 @@ Json run_task(RunTask& task, const RunOptions& options, const RankGroup& group,
   const auto steps = static_cast<double>(plan->steps_in(plan->settings.cycles));
   const RunSinks sinks{.message = print_message,
                        .progress = [&](long done) { group.progress(static_cast<double>(done) / steps); },
-                       .stop = [&]() -> std::optional<StopRequest> {
+                       .stop = [&]() -> std::optional<EarlyStop> {
                          if (!group.is_to_stop()) return std::nullopt;
-                         return StopRequest{.reason = "the stream was stopped"};
+                         return EarlyStop{.reason = "the stream was stopped"};
                        },
                        .failure =
                            [&](const std::string& checkpoint) {
@@ -129,23 +129,24 @@ MemberResult run_member(const StreamMember& member, const RunOptions& options, c
 void check_flags(const StoredStream& layouts, const RunOptions& options, const Communicator& communicator) {
   if (!options.restart.empty()) throw InputError("--restart", "is for a single layout; leave it out");
   if (options.ranks_per_run.value_or(1) > communicator.size())
-    throw InputError("--ranks-per-run", fmt::format("{} is more than the {} ranks of this program; give a "
-                                                    "smaller number, or more ranks with mpirun -n",
-                                                    *options.ranks_per_run, communicator.size()));
+    throw InputError(
+        "--ranks-per-run",
+        "{} is more than the {} ranks of this program; give a smaller number, or more ranks with mpirun -n",
+        *options.ranks_per_run, communicator.size());
   if (options.settings.model != RunModel::automatic)
     require_settings_apply(options.chosen, options.settings.model);
   if (options.plan) return;
   const std::size_t mark = options.output.find(number_mark);
   if (mark == std::string::npos || options.output.find(number_mark, mark + 1) != std::string::npos)
-    throw InputError("--output", fmt::format("\"{}\": each of the {} layouts needs a trajectory of its own; "
-                                             "write {{}} once in the name, for the number of the layout, "
-                                             "such as -o run-{{}}.h5md",
-                                             options.output, layouts.size()));
+    throw InputError("--output",
+                     "\"{}\": each of the {} layouts needs a trajectory of its own; write {{}} once in the "
+                     "name, for the number of the layout, such as -o run-{{}}.h5md",
+                     options.output, layouts.size());
   if (!options.output.ends_with(".h5md"))
     throw InputError("--output",
-                     fmt::format("\"{}\" does not end in .h5md; the record of each layout is written "
-                                 "to the same name with .json in its place",
-                                 options.output));
+                     "\"{}\" does not end in .h5md; the record of each layout is written to the same name "
+                     "with .json in its place",
+                     options.output);
 }
 
 void announce(const StreamSchedule& schedule, const Communicator& communicator) {
@@ -170,16 +171,16 @@ void report(const StreamTally& tally, int layouts, const Communicator& communica
                               tally.findings.warned, layouts));
   if (tally.is_stopped && taken < layouts)
     throw StoppedEarly(
-        fmt::format("stopped by a signal or the time limit after the first {} of {} layouts; "
-                    "the same command goes on, and keeps later results, too",
+        fmt::format("stopped by a signal or the time limit after the first {} of {} layouts; the same "
+                    "command goes on, and keeps later results, too",
                     taken, layouts));
   if (taken < layouts)
     throw RunFailed(fmt::format(
         "the record of layout {} was removed while the stream ran; repeat the command", taken + 1));
   if (failed > 0)
     throw RunFailed(
-        fmt::format("{} of {} layouts have no result or stopped early: see the key \"reason\" of "
-                    "the records whose \"status\" is not \"finished\"",
+        fmt::format("{} of {} layouts have no result or stopped early: see the key \"reason\" of the records "
+                    "whose \"status\" is not \"finished\"",
                     failed, layouts));
 }
 

@@ -58,7 +58,7 @@ template <class Real>
 class LinkReflection {
  public:
   LinkReflection(BeadScheme scheme, double slip, Populations& populations, const Coverage& coverage,
-                 std::span<const BeadOnLattice> beads, std::vector<LinkSums>& sums)
+                 std::span<BeadOnLattice> beads, std::vector<LinkSums>& sums)
       : scheme_(scheme), slip_(slip), coverage_(coverage), beads_(beads), sums_(sums) {
     for (int out = 0; out < d3q19::directions; ++out) {
       const auto& c = d3q19::velocity[out];
@@ -113,7 +113,16 @@ class LinkReflection {
     if (!best_kernels<BeadKernels>().reflect<Real>(scheme_, batch, link_bead(bead, slip_), sums))
       add_one_by_one(batch.terms, batch.links, sums, bead);
     for (int k = 0; k < batch.links; ++k) *at.incoming[k] = static_cast<Real>(batch.returned[k]);
+    add_stress(batch, beads_[at.covered->bead].impulse.stress);
     batch.links = 0;
+  }
+
+  /// Adds the stress by the impulses of the batch, which links exchange in their middle.
+  static void add_stress(const LinkBatch& batch, StressSum& stress) {
+    for (int k = 0; k < batch.links; ++k) {
+      const Vec3 c(batch.cx[k], batch.cy[k], batch.cz[k]), covered(batch.x[k], batch.y[k], batch.z[k]);
+      stress.add(covered + c / 2, {batch.terms[0][k], batch.terms[1][k], batch.terms[2][k]});
+    }
   }
 
   /// Row of the fluid cells of some links.
@@ -224,7 +233,7 @@ class LinkReflection {
   const BeadScheme scheme_;
   const double slip_;
   const Coverage& coverage_;
-  std::span<const BeadOnLattice> beads_;
+  std::span<BeadOnLattice> beads_;
   std::vector<LinkSums>& sums_;
   const int cells_of_row_ = coverage_.block_size()[0];
   std::array<Direction, d3q19::directions> directions_;
@@ -265,7 +274,7 @@ void refill(Populations& populations, const ChangedCell& cell, const BeadLinks& 
 }  // namespace
 
 void BeadLinks::bounce_back_before_plane(Populations& populations, const Coverage& coverage,
-                                         std::span<const BeadOnLattice> beads, int z) {
+                                         std::span<BeadOnLattice> beads, int z) {
   const std::span<const LinkSegment> segments = segments_before(z);
   if (segments.empty()) return;
   in_precision(populations.precision(), [&]<class Real>() {
@@ -295,6 +304,7 @@ void BeadLinks::transfer_changed_cells(Populations& populations, const Coverage&
     const CellMoments fluid = cell_moments(populations, changed.cell);
     const Vec3 momentum = sign * fluid.momentum;
     bead.impulse.fluid.add(momentum, changed.from_centre.cross(momentum));
+    bead.impulse.stress.add(changed.from_centre, momentum);
     bead.impulse.mass.add(sign * fluid.density_deviation);
   };
   for (const ChangedCell& covered : coverage.newly_covered()) add(beads[covered.bead], covered, 1);

@@ -14,8 +14,7 @@ namespace beadswim {
 template <class Real>
 class SaturatedCells::RowUpdate {
  public:
-  RowUpdate(SaturatedCells& cells, Populations& populations, std::span<const BeadOnLattice> beads, int y,
-            int z)
+  RowUpdate(SaturatedCells& cells, Populations& populations, std::span<BeadOnLattice> beads, int y, int z)
       : cells_(cells),
         beads_(beads),
         runs_(cells.runs(y, z)),
@@ -60,10 +59,12 @@ class SaturatedCells::RowUpdate {
       }
       batch_.y = run.y, batch_.z = run.z;
       push_batch(run.bead);
-      for (int k = 0; k < batch_.cells; ++k)
-        cells_.forces_.push_back({.cell = first_ + low + k,
-                                  .fluid_fraction = 1 - batch_.solid_fraction[k],
-                                  .force = {-batch_.terms[0][k], -batch_.terms[1][k], -batch_.terms[2][k]}});
+      for (int k = 0; k < batch_.cells; ++k) {
+        const Vec3 impulse(batch_.terms[0][k], batch_.terms[1][k], batch_.terms[2][k]);
+        beads_[run.bead].impulse.stress.add(run.from_centre(low + k), impulse);
+        cells_.forces_.push_back(
+            {.cell = first_ + low + k, .fluid_fraction = 1 - batch_.solid_fraction[k], .force = -impulse});
+      }
     }
   }
 
@@ -129,6 +130,7 @@ class SaturatedCells::RowUpdate {
       const Vec3 part = n == 0 ? rest : Vec3(share.sigma * (share.velocity - mean));
       rest -= part;
       add_momentum(share, 0, -part);
+      beads_[share.bead].impulse.stress.add(share.from_centre, -part);
       add_momentum(share, 6, share.solid_fraction * (before + change));
     }
     cells_.forces_.push_back({.cell = first_ + x, .fluid_fraction = fluid_fraction, .force = change});
@@ -144,7 +146,7 @@ class SaturatedCells::RowUpdate {
   }
 
   SaturatedCells& cells_;
-  std::span<const BeadOnLattice> beads_;
+  std::span<BeadOnLattice> beads_;
   std::span<const SaturatedRun> runs_;
   Populations& populations_;
   std::ptrdiff_t first_;
@@ -156,8 +158,8 @@ void SaturatedCells::begin_step(const Vec3& body_force) {
   forces_.clear();
 }
 
-void SaturatedCells::apply_forces_before_row(Populations& populations, std::span<const BeadOnLattice> beads,
-                                             int y, int z) {
+void SaturatedCells::apply_forces_before_row(Populations& populations, std::span<BeadOnLattice> beads, int y,
+                                             int z) {
   if (runs(y, z).empty()) return;
   in_precision(populations.precision(),
                [&]<class Real>() { RowUpdate<Real>(*this, populations, beads, y, z).row(); });

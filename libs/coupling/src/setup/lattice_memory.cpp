@@ -49,12 +49,12 @@ void require_memory(const CoupledScene& scene, const Communicator& communicator)
   const std::string model = has_walls ? "" : fmt::format(", {} rpy (without cells)", Setting::model);
   const std::string precision =
       scene.precision == Precision::fp64 ? fmt::format("{} single, ", Setting::precision) : "";
-  throw InputError("box",
-                   fmt::format("the {:.3g} lattice cells need {:.3g} GB of memory, {:.3g} GB more than this "
-                               "machine has; use {}fewer {}, a smaller {} in the layout (beadswim-layout "
-                               "reduce, if the scene repeats){} or more machines",
-                               cells_on_levels(scene.all_levels()), 1e-9 * lattice_bytes(scene), 1e-9 * lack,
-                               precision, Setting::cells_per_radius, Setting::box, model));
+  throw InputError(
+      "box",
+      "the {:.3g} lattice cells need {:.3g} GB of memory, {:.3g} GB more than this machine has; use {}fewer "
+      "{}, a smaller {} in the layout (beadswim-layout reduce, if the scene repeats){} or more machines",
+      cells_on_levels(scene.all_levels()), 1e-9 * lattice_bytes(scene), 1e-9 * lack, precision,
+      Setting::cells_per_radius, Setting::box, model);
 }
 
 }  // namespace beadswim

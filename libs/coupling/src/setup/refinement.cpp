@@ -16,12 +16,7 @@ constexpr int cells_around_level = 4;  ///< cells of each level around the next 
 /// docs/refinement.md has the errors that it causes.
 int distance_to_interface(const CoupledScene& scene) {
   constexpr double min_radii = 2;
-  int distance = 8;
-  for (const SwimmerType& type : scene.types) {
-    for (const Bead& bead : type.beads)
-      distance = std::max(distance, static_cast<int>(std::ceil(min_radii * bead.radius)));
-  }
-  return distance;
+  return std::max(8, static_cast<int>(std::ceil(min_radii * largest_radius(scene.types))));
 }
 
 /// Places a level along one axis so that it contains [low, high], with cells_around_level coarser cells to
@@ -39,42 +34,45 @@ bool place_along(int axis, const Index3& cells, Boundary boundary, double low, d
   return level.offset[axis] >= room && level.offset[axis] + level.size[axis] + room <= cells[axis];
 }
 
-/// Returns the number of steps between two checks of the levels.
 long steps_between_checks(int levels) {
   constexpr long min_steps = 16;
   return std::max(min_steps, 1L << (levels - 1));
 }
 
 /// Returns the smallest distance of a bead from the end of the finest level along axes that it does not span.
-double gap_to_interface(const Level& finest, const BeadExtent& beads) {
+double gap_to_interface(const Level& finest, const Eigen::AlignedBox3d& beads) {
   double gap = std::numeric_limits<double>::infinity();
   for (int a = 0; a < 3; ++a) {
     if (finest.place.spans(a)) continue;
-    gap = std::min(
-        {gap, beads.low[a] - finest.place.lattice.offset[a], finest.place.lattice.end()[a] - beads.high[a]});
+    gap = std::min({gap, beads.min()[a] - finest.place.lattice.offset[a],
+                    finest.place.lattice.end()[a] - beads.max()[a]});
   }
   return gap;
 }
 
+/// Extends the box so that it contains a bead.
+void extend(Eigen::AlignedBox3d& box, const Vec3& centre, double radius) {
+  box.extend(Vec3(centre.array() - radius)).extend(Vec3(centre.array() + radius));
+}
+
 /// Returns the extent of the beads of all ranks, now and at the next check of the levels, if the beads keep
 /// their velocities. Collective.
-BeadExtent extent_until_next_check(const CoupledSystem& system, const Communicator& communicator) {
+Eigen::AlignedBox3d extent_until_next_check(const CoupledSystem& system, const Communicator& communicator) {
   const auto steps = static_cast<double>(steps_between_checks(system.levels().count()));
-  BeadExtent beads;
+  Eigen::AlignedBox3d beads;
   for (const SwimmerState& swimmer : system.owned_swimmers()) {
     for (std::size_t b = 0; b < swimmer.motion.size(); ++b) {
       const BeadMotion& bead = swimmer.motion[b];
       const double radius = system.scene().types[swimmer.type].beads[b].radius;
-      beads.add(bead.position, radius);
-      beads.add(bead.position + steps * bead.velocity, radius);
+      extend(beads, bead.position, radius);
+      extend(beads, bead.position + steps * bead.velocity, radius);
     }
   }
-  MPI_Allreduce(MPI_IN_PLACE, beads.low.data(), 3, MPI_DOUBLE, MPI_MIN, communicator.get());
-  MPI_Allreduce(MPI_IN_PLACE, beads.high.data(), 3, MPI_DOUBLE, MPI_MAX, communicator.get());
+  MPI_Allreduce(MPI_IN_PLACE, beads.min().data(), 3, MPI_DOUBLE, MPI_MIN, communicator.get());
+  MPI_Allreduce(MPI_IN_PLACE, beads.max().data(), 3, MPI_DOUBLE, MPI_MAX, communicator.get());
   return beads;
 }
 
-/// Returns the number of cells of a level.
 double volume(const Block& level) {
   return level.size.cast<double>().prod();
 }
@@ -91,20 +89,20 @@ double mean_per_step(const std::vector<Block>& levels, Amount&& amount) {
 
 }  // namespace
 
-BeadExtent bead_extent(const CoupledScene& scene) {
-  BeadExtent extent;
+Eigen::AlignedBox3d bead_extent(const CoupledScene& scene) {
+  Eigen::AlignedBox3d extent;
   const std::vector<Vec3> centres = start_positions(scene);
   const std::vector<double> radii = bead_radii(scene);
-  for (std::size_t b = 0; b < centres.size(); ++b) extent.add(centres[b], radii[b]);
+  for (std::size_t b = 0; b < centres.size(); ++b) extend(extent, centres[b], radii[b]);
   return extent;
 }
 
-std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const BeadExtent& beads,
+std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const Eigen::AlignedBox3d& beads,
                                                 int count) {
   const int distance = distance_to_interface(scene);
   std::vector<Block> levels(count);
   Index3 box = scene.cells;
-  Vec3 low = beads.low.array() - distance, high = beads.high.array() + distance;
+  Vec3 low = beads.min().array() - distance, high = beads.max().array() + distance;
   for (int n = count - 1; n > 0; --n) {
     if ((box / 2 * 2 != box).any()) return std::nullopt;
     for (int a = 0; a < 3; ++a)
@@ -118,7 +116,7 @@ std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const
 }
 
 int max_levels(const CoupledScene& scene) {
-  const BeadExtent beads = bead_extent(scene);
+  const Eigen::AlignedBox3d beads = bead_extent(scene);
   int count = 1;
   while (count <= max_finer_levels && levels_around(scene, beads, count + 1)) ++count;
   return count;
@@ -148,10 +146,9 @@ double cells_on_levels(const std::vector<Block>& levels) {
 
 std::vector<Block> cheapest_levels(const CoupledScene& scene, int max_count) {
   constexpr double max_share = 0.8;  // of the cost with one level
-  const BeadExtent beads = bead_extent(scene);
-  const double uniform = scene.cells.cast<double>().prod();
+  const Eigen::AlignedBox3d beads = bead_extent(scene);
   std::vector<Block> cheapest;
-  double min_cost = max_share * uniform;
+  double min_cost = max_share * scene.cells.cast<double>().prod();
   for (int count = 2; count <= max_count; ++count) {
     const auto levels = levels_around(scene, beads, count);
     if (!levels) break;
@@ -168,7 +165,7 @@ std::unique_ptr<CoupledSystem> with_levels_around_beads(CoupledSystem& system,
   if (count == 1 || system.steps_done() % steps_between_checks(count) != 0) return nullptr;
   if (system.fault()) return nullptr;  // the run is about to stop, and the new system would not know why
   const CoupledScene& scene = system.scene();
-  const BeadExtent beads = extent_until_next_check(system, communicator);
+  const Eigen::AlignedBox3d beads = extent_until_next_check(system, communicator);
   const double distance = distance_to_interface(scene);
   if (gap_to_interface(system.levels().finest(), beads) > distance / 2) return nullptr;
   const auto levels = levels_around(scene, beads, count);
@@ -183,7 +180,7 @@ std::unique_ptr<CoupledSystem> with_levels_around_beads(CoupledSystem& system,
   }
   std::vector<char> swimmers = bytes_of(system.gather_snapshots());
   broadcast(swimmers, communicator);
-  next->restore(system.progress(), states_from_bytes<SwimmerSnapshot>(std::move(swimmers)),
+  next->restore(system.progress(), values_from_bytes<SwimmerSnapshot>(std::move(swimmers)),
                 [&](Levels& fluid) { transfer(system.levels(), fluid, communicator); });
   return next;
 }

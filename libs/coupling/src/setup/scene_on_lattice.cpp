@@ -30,22 +30,20 @@ constexpr double smallest_bead = 1;
 
 void require_box(const Layout& layout, const std::string& source) {
   if (!layout.flow.is_zero())
-    throw InputError(
-        source + ":/flow",
-        fmt::format("a background flow is unbounded, but a lattice ends at its box; use {} rpy or "
-                    "multipole, or no-slip walls that move or a body force",
-                    Setting::model));
+    throw InputError(source + ":/flow",
+                     "a background flow is unbounded, but a lattice ends at its box; use {} rpy or "
+                     "multipole, or no-slip walls that move or a body force",
+                     Setting::model);
   if (layout.domain.half_space)
-    throw InputError(
-        source + ":/domain/half_space",
-        fmt::format("a half-space is unbounded, but a lattice needs a box; use {} rpy or "
-                    "multipole, or a box with the boundary no-slip along {}, high above the swimmers",
-                    Setting::model, "xyz"[layout.domain.half_space->axis]));
+    throw InputError(source + ":/domain/half_space",
+                     "a half-space is unbounded, but a lattice needs a box; use {} rpy or multipole, or a "
+                     "box with the boundary no-slip along {}, high above the swimmers",
+                     Setting::model, "xyz"[layout.domain.half_space->axis]);
   if (layout.domain.box) return;
   throw InputError(source + ":/domain",
-                   fmt::format("the domain is null (unbounded fluid), but a lattice needs a box; make the "
-                               "layout with {} X,Y,Z and {}, or use {} rpy or beadswim-theory",
-                               Setting::box, Setting::boundary, Setting::model));
+                   "the domain is null (unbounded fluid), but a lattice needs a box; make the layout with {} "
+                   "X,Y,Z and {}, or use {} rpy or beadswim-theory",
+                   Setting::box, Setting::boundary, Setting::model);
 }
 
 void require_off_walls(const Layout& layout, double cell, const std::string& source) {
@@ -55,11 +53,10 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
       const double to_wall = std::min(bead.centre[a], layout.domain.box->lengths[a] - bead.centre[a]);
       const double gap = to_wall - bead.radius;
       if (gap >= min_wall_gap * cell) continue;
-      throw InputError(
-          fmt::format("{}:/swimmers/{}/position", source, bead.swimmer),
-          fmt::format("bead {} has a gap of {:.3g} to a wall perpendicular to {}; the gap "
-                      "must be at least half a cell, {:.3g}; move the swimmer or use more {}",
-                      bead.bead + 1, gap, "xyz"[a], min_wall_gap * cell, Setting::cells_per_radius));
+      throw InputError(fmt::format("{}:/swimmers/{}/position", source, bead.swimmer),
+                       "bead {} has a gap of {:.3g} to a wall perpendicular to {}; the gap must be at least "
+                       "half a cell, {:.3g}; move the swimmer or use more {}",
+                       bead.bead + 1, gap, "xyz"[a], min_wall_gap * cell, Setting::cells_per_radius);
     }
   }
 }
@@ -69,10 +66,10 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
 void require_viscosity(BeadScheme scheme, double relaxation_time) {
   if (!has_links(scheme) || relaxation_time >= min_stable_relaxation_time) return;
   throw InputError(Setting::relaxation_time,
-                   fmt::format("the relaxation time {:.6g} is so close to 1/2 that the flow at bead surfaces "
-                               "is unstable with {} {}; use {} or more, or {} psm",
-                               relaxation_time, Setting::bead_boundary, to_text(scheme),
-                               min_stable_relaxation_time, Setting::bead_boundary));
+                   "the relaxation time {:.6g} is so close to 1/2 that the flow at bead surfaces is unstable "
+                   "with {} {}; use {} or more, or {} psm",
+                   relaxation_time, Setting::bead_boundary, to_text(scheme), min_stable_relaxation_time,
+                   Setting::bead_boundary);
 }
 
 /// Throws InputError near the relaxation time at which multireflection is undefined (link_laws.hpp).
@@ -81,9 +78,9 @@ void require_slip(BeadScheme scheme, double relaxation_time) {
   const double antisymmetric_time = 1 / relaxation_rates(relaxation_time).antisymmetric;
   if (scheme != BeadScheme::mr || std::abs(1 - antisymmetric_time) > nearest) return;
   throw InputError(Setting::relaxation_time,
-                   fmt::format("the relaxation time {:.6g} makes the correction of multireflection ({} mr) "
-                               "undefined; use 0.87 or 0.88, or another {}",
-                               relaxation_time, Setting::bead_boundary, Setting::bead_boundary));
+                   "the relaxation time {:.6g} makes the correction of multireflection ({} mr) undefined; "
+                   "use 0.87 or 0.88, or another {}",
+                   relaxation_time, Setting::bead_boundary, Setting::bead_boundary);
 }
 
 Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) {
@@ -95,17 +92,14 @@ Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) 
     const std::string place = fmt::format("{}:/domain/lengths/{}", source, a);
     if (whole > max_cells)
       throw InputError(
-          place,
-          fmt::format(
-              "the box length {} is {:.3g} cells, above the limit of {}; use a smaller box or fewer {}",
-              lengths[a], exact, max_cells, Setting::cells_per_radius));
+          place, "the box length {} is {:.3g} cells, above the limit of {}; use a smaller box or fewer {}",
+          lengths[a], exact, max_cells, Setting::cells_per_radius);
     if (whole < 1 || std::abs(exact - whole) > roundoff * whole) {
-      throw InputError(
-          place,
-          fmt::format("the box length {} is {:.6g} cells of size {:.6g}, not a whole number; the nearest "
-                      "lengths are {:.10g} and {:.10g}; use one of these lengths or another {}",
-                      lengths[a], exact, cell, std::max(1.0, std::floor(exact)) * cell,
-                      (std::floor(exact) + 1) * cell, Setting::cells_per_radius));
+      throw InputError(place,
+                       "the box length {} is {:.6g} cells of size {:.6g}, not a whole number; the nearest "
+                       "lengths are {:.10g} and {:.10g}; use one of these lengths or another {}",
+                       lengths[a], exact, cell, std::max(1.0, std::floor(exact)) * cell,
+                       (std::floor(exact) + 1) * cell, Setting::cells_per_radius);
     }
     cells[a] = static_cast<int>(whole);
   }
@@ -121,11 +115,10 @@ void require_slow_walls(const std::array<WallVelocities, 3>& walls, const std::s
   for (int a = 0; a < 3; ++a) {
     const double speed = std::max(walls[a].lower.norm(), walls[a].upper.norm());
     if (speed <= max_flow_speed) continue;
-    throw InputError(
-        fmt::format("{}:/domain/boundary/{}", source, a),
-        fmt::format("a wall moves by {:.3g} cells in a time step, but only {} are permitted; use a "
-                    "smaller {} or more {}, or a slower wall",
-                    speed, max_flow_speed, Setting::relaxation_time, Setting::cells_per_radius));
+    throw InputError(fmt::format("{}:/domain/boundary/{}", source, a),
+                     "a wall moves by {:.3g} cells in a time step, but only {} are permitted; use a smaller "
+                     "{} or more {}, or a slower wall",
+                     speed, max_flow_speed, Setting::relaxation_time, Setting::cells_per_radius);
   }
 }
 
@@ -140,11 +133,10 @@ void require_slow_flow(const CoupledScene& scene, double relaxation_time, const 
   if (force == 0) return;
   const double speed = force * height * height / (8 * lattice_viscosity(relaxation_time));
   if (speed <= max_flow_speed) return;
-  throw InputError(
-      source + ":/body_force",
-      fmt::format("the fluid would move by {:.3g} cells in a time step, but only {} are permitted; "
-                  "use a smaller {} or more {}, or a smaller body force",
-                  speed, max_flow_speed, Setting::relaxation_time, Setting::cells_per_radius));
+  throw InputError(source + ":/body_force",
+                   "the fluid would move by {:.3g} cells in a time step, but only {} are permitted; use a "
+                   "smaller {} or more {}, or a smaller body force",
+                   speed, max_flow_speed, Setting::relaxation_time, Setting::cells_per_radius);
 }
 
 /// Returns the lattice for a layout. Throws InputError if beads are too small or time steps too long.
@@ -154,20 +146,19 @@ LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, do
       choose_lattice(smallest_radius(layout), resolution, layout.fluid, period, multiple);
   if (resolution.cells_per_radius < smallest_bead) {
     throw InputError(Setting::cells_per_radius,
-                     fmt::format("with {} cells per radius, a bead may cover no cell at all; use at least {} "
-                                 "cells per radius, or 3 or more to resolve the beads",
-                                 resolution.cells_per_radius, smallest_bead));
+                     "with {} cells per radius, a bead may cover no cell at all; use at least {} cells per "
+                     "radius, or 3 or more to resolve the beads",
+                     resolution.cells_per_radius, smallest_bead);
   }
   const double steps = shortest_period(layout) / lattice.scales.time;
   const double late = 2 * std::numbers::pi * force_delay(lattice.relaxation_time) / steps;
   if (late <= latest) return lattice;
-  throw InputError(
-      Setting::relaxation_time,
-      fmt::format("the relaxation time {} makes the time step so long that a period has {:.6g} steps and the "
-                  "force of the fluid is late by a phase of {:.2g} rad; strokes would be wrong by as much or "
-                  "more. A delay of at most {} rad is allowed: use a smaller {} or more {}",
-                  resolution.relaxation_time, steps, late, latest, Setting::relaxation_time,
-                  Setting::cells_per_radius));
+  throw InputError(Setting::relaxation_time,
+                   "the relaxation time {} makes the time step so long that a period has {:.6g} steps and "
+                   "the force of the fluid is late by a phase of {:.2g} rad; strokes would be wrong by as "
+                   "much or more. A delay of at most {} rad is allowed: use a smaller {} or more {}",
+                   resolution.relaxation_time, steps, late, latest, Setting::relaxation_time,
+                   Setting::cells_per_radius);
 }
 
 /// Adds the swimmers of the layout and their types to the scene, in lattice units.
@@ -179,7 +170,10 @@ void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeChoice
     for (Bead& bead : type.beads)
       if (corrects_delay) bead.density += delay_density(bead, lattice.relaxation_time);
   }
-  for (PlacedSwimmer& swimmer : swarm.swimmers) swimmer.position /= lattice.scales.length;
+  for (PlacedSwimmer& swimmer : swarm.swimmers) {
+    swimmer.position /= lattice.scales.length;
+    for (Vec3& bead : swimmer.start) bead /= lattice.scales.length;
+  }
   static_cast<Swarm&>(scene) = std::move(swarm);
 }
 
@@ -206,15 +200,13 @@ std::vector<Block> chosen_levels(const CoupledScene& scene, const std::optional<
   if (levels)
     throw InputError(
         Setting::refinement,
-        fmt::format("with {} finer levels, the coarsest would have only {} steps per period; {}, "
-                    "or a smaller {}",
-                    *refinement, steps >> *refinement, choice, Setting::relaxation_time));
-  throw InputError(
-      Setting::refinement,
-      fmt::format("{} finer levels do not fit into the box of {} x {} x {} cells: each edge must be a whole "
-                  "number of coarsest cells, and levels keep a distance to walls; {}, or another {} or {}",
-                  *refinement, scene.cells[0], scene.cells[1], scene.cells[2], choice, Setting::box,
-                  Setting::cells_per_radius));
+        "with {} finer levels, the coarsest would have only {} steps per period; {}, or a smaller {}",
+        *refinement, steps >> *refinement, choice, Setting::relaxation_time);
+  throw InputError(Setting::refinement,
+                   "{} finer levels do not fit into the box of {} x {} x {} cells: each edge must be a whole "
+                   "number of coarsest cells, and levels keep a distance to walls; {}, or another {} or {}",
+                   *refinement, scene.cells[0], scene.cells[1], scene.cells[2], choice, Setting::box,
+                   Setting::cells_per_radius);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "beadswim/core/message.hpp"
-
 namespace beadswim {
 namespace {
 
@@ -36,7 +34,7 @@ double max_touched_distance(const CoupledScene& scene) {
   for (const SwimmerType& type : scene.types) {
     const std::vector<double> ways = ways_from_middle(type);
     for (std::size_t b = 0; b < ways.size(); ++b)
-      farthest = std::max(farthest, max_stretch * ways[b] + scene.radius_on_lattice(type.beads[b]));
+      farthest = std::max(farthest, max_stretch * ways[b] + scene.radius_on_lattice(type.beads[b].radius));
   }
   return farthest + margin + 1;
 }
@@ -72,7 +70,7 @@ BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition
       types_(scene.types) {
   for (const SwimmerType& type : scene.types) {
     std::vector<double>& radii = radii_.emplace_back();
-    for (const Bead& bead : type.beads) radii.push_back(scene.radius_on_lattice(bead));
+    for (const Bead& bead : type.beads) radii.push_back(scene.radius_on_lattice(bead.radius));
   }
   for (int r = 0; r < communicator.size(); ++r) {
     blocks_.push_back({.block = decomposition.block(r), .cells = scene.cells, .boundary = scene.boundary});
@@ -133,19 +131,16 @@ std::vector<BeadOnLattice> BeadExchange::publish(std::vector<SwimmerState>& owne
         if (touches(blocks_[peers_[p]], bead)) beads_nearby[p](bead);
     }
   }
-  Buffers to_peers;
+  std::vector<OutgoingMessage> to_peers(peers_.size());
   for (std::size_t p = 0; p < peers_.size(); ++p) {
-    OutgoingMessage message;
-    message(static_cast<int>(departing[p].size()));
-    for (const SwimmerState* swimmer : departing[p]) message(*swimmer);
-    message.append(beads_nearby[p]);
-    to_peers.push_back(message.bytes());
+    to_peers[p](static_cast<int>(departing[p].size()));
+    for (const SwimmerState* swimmer : departing[p]) to_peers[p](*swimmer);
+    to_peers[p].append(beads_nearby[p]);
   }
   owned = std::move(staying);
 
   std::vector<BeadOnLattice> beads;
-  for (std::vector<char>& bytes : exchange(to_peers, publish_tag)) {
-    IncomingMessage message(std::move(bytes));
+  for (IncomingMessage& message : exchange(to_peers, publish_tag)) {
     int arrivals = 0;
     message(arrivals);
     while (arrivals-- > 0) message(owned.emplace_back());
@@ -157,17 +152,13 @@ std::vector<BeadOnLattice> BeadExchange::publish(std::vector<SwimmerState>& owne
 }
 
 std::map<BeadName, Impulse> BeadExchange::collect(std::span<const BeadOnLattice> beads) {
-  std::vector<OutgoingMessage> messages(peers_.size());
+  std::vector<OutgoingMessage> to_peers(peers_.size());
   for (const BeadOnLattice& bead : beads) {
     const auto peer = std::ranges::lower_bound(peers_, bead.owner) - peers_.begin();
-    messages[peer](bead.name, bead.impulse);
+    to_peers[peer](bead.name, bead.impulse);
   }
-  Buffers to_peers;
-  for (const OutgoingMessage& message : messages) to_peers.push_back(message.bytes());
-
   std::map<BeadName, Impulse> totals;
-  for (std::vector<char>& bytes : exchange(to_peers, collect_tag)) {
-    IncomingMessage message(std::move(bytes));
+  for (IncomingMessage& message : exchange(to_peers, collect_tag)) {
     while (!message.is_at_end()) {
       BeadName name;
       Impulse impulse;
@@ -178,26 +169,29 @@ std::map<BeadName, Impulse> BeadExchange::collect(std::span<const BeadOnLattice>
   return totals;
 }
 
-BeadExchange::Buffers BeadExchange::exchange(const Buffers& to_peers, int tag) {
+std::vector<IncomingMessage> BeadExchange::exchange(const std::vector<OutgoingMessage>& to_peers, int tag) {
   std::vector<MPI_Request> requests;
   for (std::size_t p = 0; p < peers_.size(); ++p) {
     if (peers_[p] == rank_) continue;
-    MPI_Isend(to_peers[p].data(), static_cast<int>(to_peers[p].size()), MPI_BYTE, peers_[p], tag, comm_,
+    const std::vector<char>& bytes = to_peers[p].bytes();
+    MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, peers_[p], tag, comm_,
               &requests.emplace_back());
-    traffic_.add_message(std::ssize(to_peers[p]));
+    traffic_.add_message(std::ssize(bytes));
   }
-  Buffers from_peers(peers_.size());
+  std::vector<IncomingMessage> from_peers;
   for (std::size_t p = 0; p < peers_.size(); ++p) {
+    std::vector<char> bytes;
     if (peers_[p] == rank_) {
-      from_peers[p] = to_peers[p];
-      continue;
+      bytes = to_peers[p].bytes();
+    } else {
+      MPI_Status status;
+      MPI_Probe(peers_[p], tag, comm_, &status);
+      int size = 0;
+      MPI_Get_count(&status, MPI_BYTE, &size);
+      bytes.resize(size);
+      MPI_Recv(bytes.data(), size, MPI_BYTE, peers_[p], tag, comm_, MPI_STATUS_IGNORE);
     }
-    MPI_Status status;
-    MPI_Probe(peers_[p], tag, comm_, &status);
-    int bytes = 0;
-    MPI_Get_count(&status, MPI_BYTE, &bytes);
-    from_peers[p].resize(bytes);
-    MPI_Recv(from_peers[p].data(), bytes, MPI_BYTE, peers_[p], tag, comm_, MPI_STATUS_IGNORE);
+    from_peers.emplace_back(std::move(bytes));
   }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
   return from_peers;

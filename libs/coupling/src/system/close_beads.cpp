@@ -27,18 +27,6 @@ void add_close_impulse(BeadOnLattice& bead, const Vec3& linear, const Vec3& angu
   bead.impulse.removed_fraction.add(removed_fraction);
 }
 
-/// Returns a fault if the overlap of two beads exceeds max_overlap times the radius of the smaller bead.
-/// `gap` is negative if the beads overlap [cell]. Fault::step is not set.
-std::optional<Fault> overlap_of(const BeadOnLattice& first, const BeadOnLattice& second, double gap) {
-  const double smaller_radius = std::min(first.body.radius, second.body.radius);
-  if (-gap <= max_overlap * smaller_radius) return std::nullopt;
-  return Fault{.kind = FaultKind::overlap,
-               .bead = first.name,
-               .other = second.name,
-               .position = first.motion.position,
-               .value = -gap / smaller_radius};
-}
-
 /// Returns true if a point, in the unwrapped coordinates of an image, lies in the block.
 bool is_own(const Coverage& coverage, const BeadImage& image, const Vec3& point) {
   const Index3 cell = point.array().floor().cast<int>() - image.shift;
@@ -62,9 +50,7 @@ NearContactLaw near_contact_law(const CoupledScene& scene) {
   // follow the contact spring.
   constexpr double collision_steps = 2;
   double smallest = std::numeric_limits<double>::infinity();
-  for (const SwimmerType& type : scene.types) {
-    for (const Bead& bead : type.beads) smallest = std::min(smallest, bead.radius);
-  }
+  for (const SwimmerType& type : scene.types) smallest = std::min(smallest, smallest_radius(type));
   NearContactLaw law{.viscosity = lattice_viscosity(scene.relaxation_time),
                      .range = {},
                      .stiffness_rate = std::numbers::pi / collision_steps,
@@ -92,9 +78,13 @@ CloseBeads add_contact_impulses(const NearContactLaw& law, const Coverage& cover
     if (!is_own(coverage, a.image, first.motion.position + to_middle * separation)) continue;
 
     found.smallest_gap = std::min(found.smallest_gap, gap);
-    const auto overlap = overlap_of(first, second, gap);
-    if (overlap) {  // the fault stops the run
-      keep_first(found.overlap, *overlap);
+    const double smaller_radius = std::min(first.body.radius, second.body.radius);
+    if (-gap > max_overlap * smaller_radius) {  // the fault stops the run
+      keep_first(found.overlap, {.kind = FaultKind::overlap,
+                                 .bead = first.name,
+                                 .other = second.name,
+                                 .position = first.motion.position,
+                                 .value = -gap / smaller_radius});
       continue;
     }
     if (first.name.swimmer == second.name.swimmer && between == Vec3::Zero()) continue;

@@ -86,6 +86,7 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
     // alternate from step to step (Ladd 1994).
     const int beads = static_cast<int>(swimmer.motion.size());
     SwimmerLoads loads(beads), close(beads);
+    Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
     for (int b = 0; b < beads; ++b) {
       const Impulse& received = impulses.at({swimmer.id, b});
       Load impulse = received.fluid.value();
@@ -94,6 +95,8 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       loads[b].force = 0.5 * (swimmer.last_impulse[b].force + impulse.force);
       loads[b].torque = 0.5 * (swimmer.last_impulse[b].torque + impulse.torque);
       swimmer.last_impulse[b] = impulse;
+      swimmer.fluid_loads[b] = loads[b];
+      stress += received.stress.value();
       swimmer.removed_fraction[b] = received.removed_fraction.value();
       // The links return a part of the fluid mass that the bead holds, in proportion to w_i.
       swimmer.held_mass[b] += received.mass.value();
@@ -113,8 +116,27 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       swimmer.motion = before;  // keeps positions valid until all ranks stop, some steps later
     }
     predict(swimmer, before, close, type);
+    for (int b = 0; b < beads; ++b) close[b].force -= loads[b].force;
+    add_dipole(swimmer, before, close, stress);
     if (has_net_force_) add_driving_impulse(swimmer.motion, before, loads, type);
   }
+}
+
+/// Adds the force dipole of a step (swimmers/force_dipole.hpp). reactions: the impulses of the fluid on the
+/// beads, with the opposite sign; stress: sum over the beads of their stresses by these impulses. Fluid fills
+/// the beads: the force on it also accelerates the fluid that a bead displaces.
+void CoupledSystem::add_dipole(SwimmerState& swimmer, const SwimmerMotion& before,
+                               const SwimmerLoads& reactions, const Eigen::Matrix3d& stress) const {
+  BeadVectors positions(3, std::ssize(before)), forces = positions;
+  for (std::size_t b = 0; b < before.size(); ++b) {
+    const Bead& bead = scene_.types[swimmer.type].beads[b];
+    const BeadMotion& now = swimmer.motion[b];
+    positions.col(b) = (before[b].position + now.position) / 2;
+    forces.col(b) =
+        reactions[b].force + (mass(bead) - excess_mass(bead)) * (now.velocity - before[b].velocity);
+  }
+  const SymmetricTensor dipole = components_of(dipole_of_forces(positions, forces) - stress);
+  for (std::size_t n = 0; n < dipole.size(); ++n) swimmer.dipole_sum[n] += dipole[n];
 }
 
 /// Adds the impulse of the driving forces on a swimmer in this step: the change of its momentum that the

@@ -21,16 +21,6 @@ bool needs_balance(const CoupledScene& scene) {
                              [](const SwimmerType& type) { return !net_forces(type.driving).empty(); });
 }
 
-/// Returns the state of a swimmer whose beads do not move.
-SwimmerState at_rest(const PlacedSwimmer& swimmer, std::span<const Vec3> places) {
-  SwimmerState state = SwimmerState::of_beads(places.size());
-  state.id = swimmer.id;
-  state.type = swimmer.type;
-  for (int a = 0; a < 3; ++a) state.initial_orientation[a] = swimmer.orientation.col(a);
-  for (std::size_t b = 0; b < places.size(); ++b) state.motion[b].position = places[b];
-  return state;
-}
-
 BlockInLattice in_box(const Level& level) {
   return {.block = level.block, .cells = level.place.box, .boundary = level.place.boundary};
 }
@@ -52,10 +42,13 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
   has_net_force_ = needs_balance(scene_);
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
   const std::vector<Vec3> places = start_positions(scene_);
-  const std::vector<BeadRange> ranges = bead_ranges(scene_);
-  for (std::size_t s = 0; s < ranges.size(); ++s) {
-    const auto [first, last] = ranges[s];
-    SwimmerState state = at_rest(scene_.swimmers[s], std::span(places).subspan(first, last - first));
+  auto place = places.begin();
+  for (const PlacedSwimmer& swimmer : scene_.swimmers) {
+    SwimmerState state = SwimmerState::of_beads(scene_.type_of(swimmer).beads.size());
+    state.id = swimmer.id;
+    state.type = swimmer.type;
+    for (int a = 0; a < 3; ++a) state.initial_orientation[a] = swimmer.orientation.col(a);
+    for (BeadMotion& bead : state.motion) bead.position = *place++;
     if (owns(state)) owned_.push_back(std::move(state));
   }
   beads_ = exchange_.publish(owned_);
@@ -101,7 +94,7 @@ double CoupledSystem::largest_bead_speed() const {
 }
 
 std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
-  auto swimmers = states_from_bytes<SwimmerState>(gather_bytes(bytes_of(owned_), communicator_));
+  auto swimmers = values_from_bytes<SwimmerState>(gather_bytes(bytes_of(owned_), communicator_));
   std::ranges::sort(swimmers, {}, &SwimmerState::id);
   return swimmers;
 }
@@ -116,7 +109,7 @@ std::vector<SwimmerSnapshot> CoupledSystem::gather_snapshots() {
     for (int b = 0; b < std::ssize(swimmer.motion); ++b)
       snapshot.pending_impulses.push_back(impulses[{swimmer.id, b}]);
   }
-  auto snapshots = states_from_bytes<SwimmerSnapshot>(gather_bytes(bytes_of(own), communicator_));
+  auto snapshots = values_from_bytes<SwimmerSnapshot>(gather_bytes(bytes_of(own), communicator_));
   std::ranges::sort(snapshots, {}, [](const SwimmerSnapshot& s) { return s.state.id; });
   return snapshots;
 }

@@ -21,10 +21,7 @@ std::optional<Fault> first_fault(const std::optional<Fault>& own, const Communic
   const int bytes = static_cast<int>(message.bytes().size());
   std::vector<char> all(static_cast<std::size_t>(bytes) * communicator.size());
   MPI_Allgather(message.bytes().data(), bytes, MPI_BYTE, all.data(), bytes, MPI_BYTE, communicator.get());
-  std::vector<Fault> faults;
-  IncomingMessage gathered(std::move(all));
-  while (!gathered.is_at_end()) gathered(faults.emplace_back());
-  return *std::ranges::min_element(faults, comes_before);
+  return std::ranges::min(values_from_bytes<Fault>(std::move(all)), comes_before);
 }
 
 }  // namespace beadswim

@@ -36,11 +36,12 @@ std::optional<Fault> conservation_fault(const CoupledScene& scene, const SceneTo
 }
 
 FluidTotals CoupledSystem::fluid_totals() const {
-  FluidTotals fluid = block_totals(populations());
+  const Populations& populations = levels_.finest().populations;
+  FluidTotals fluid = block_totals(populations);
   if (has_links()) {
     FluidTotals covered_cells;
     coverage_.for_each_own_covered_cell(
-        [&](std::ptrdiff_t cell, int, const Vec3&) { covered_cells.add(cell_moments(populations(), cell)); });
+        [&](std::ptrdiff_t cell, int, const Vec3&) { covered_cells.add(cell_moments(populations, cell)); });
     fluid.subtract(covered_cells);
     return fluid;
   }
@@ -69,12 +70,15 @@ FluidTotals CoupledSystem::volume_of_beads() const {
   return totals;
 }
 
+double CoupledSystem::excess_mass(const Bead& bead) const {
+  const double added = scene_.corrects_delay ? delay_density(bead, scene_.relaxation_time) : 0;
+  return mass(bead) * (1 - (1 + added) / bead.density);
+}
+
 FluidTotals CoupledSystem::excess_totals() const {
   FluidTotals totals;
   for_each_owned_bead([&](const SwimmerState& swimmer, std::size_t b, const Bead& bead) {
-    const double added = scene_.corrects_delay ? delay_density(bead, scene_.relaxation_time) : 0;
-    const double excess = mass(bead) * (1 - (1 + added) / bead.density);
-    totals.add({.momentum = excess * swimmer.motion[b].velocity});
+    totals.add({.momentum = excess_mass(bead) * swimmer.motion[b].velocity});
   });
   return totals;
 }

@@ -3,6 +3,7 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace beadswim {
 
@@ -17,6 +18,17 @@ std::string base64(std::span<const char> bytes) {
   }
   text.pop_back();
   return text;
+}
+
+std::optional<std::string> decoded_base64(const std::string& text) {
+  if (text.size() % 4 != 0 || text.size() > std::numeric_limits<int>::max()) return std::nullopt;
+  std::string bytes(text.size() / 4 * 3, '\0');
+  const int decoded =
+      EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
+                      reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
+  // OpenSSL skips white space, so that fewer bytes follow from it.
+  if (decoded != static_cast<int>(bytes.size())) return std::nullopt;
+  return bytes;
 }
 
 }  // namespace beadswim

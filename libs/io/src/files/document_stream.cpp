@@ -72,10 +72,13 @@ OpenFile copy_if_read_once(const std::string& path, const std::string& source) {
 
 }  // namespace
 
+OpenFile open_input(const std::string& path) {
+  OpenFile copy = copy_if_read_once(path, path);
+  return copy ? std::move(copy) : open_file(path, path);
+}
+
 std::string read_text(const std::string& path) {
-  OpenFile file = copy_if_read_once(path, path);
-  if (!file) file = open_file(path, path);
-  return read_all(file);
+  return read_all(open_input(path));
 }
 
 void require_one_standard_input(const std::vector<std::string>& paths) {

@@ -65,6 +65,9 @@ void write_header(const H5File& file, const TrajectoryHeader& header) {
   for (const char* group : {"observables", "swimmers"}) file.create_group(group);
 }
 
+/// Series of the vectors of forces and drives.
+constexpr std::array force_series{"particles/beads/force", "particles/beads/drive"};
+
 /// `time`: name of the dataset with the times of frames.
 void write_units(const H5File& file, const TrajectoryHeader& header, const std::string& time) {
   const std::string velocity_unit = header.length_unit + " " + header.time_unit + "-1";
@@ -131,6 +134,11 @@ void TrajectoryWriter::open(const TrajectoryHeader& header) {
   add_element(frames_, "particles/beads/position", number_type<float>(), {beads, 3});
   add_element(frames_, "particles/beads/image", number_type<int>(), {beads, 3});
   add_element(frames_, "particles/beads/velocity", number_type<float>(), {beads, 3});
+  for (const char* name : header.has_forces ? force_series : std::span<const char* const>{})
+    add_element(frames_, name, number_type<float>(), {beads, 3});
+  if (header.has_forces && !continues_checkpoint_)
+    file_->write_variable_attribute(force_series[0], "meaning",
+                                    "force of the fluid on the bead, not the total force");
   add_element(frames_, "observables/mean_flow", number_type<double>(), {3});
   add_element(frames_, "observables/momentum", number_type<double>(), {3});
   if (!continues_checkpoint_ && !header.length_unit.empty()) write_units(*file_, header, frames_ + "/time");
@@ -178,6 +186,9 @@ void TrajectoryWriter::append(const TrajectoryFrame& frame) {
         append_row("particles/beads/position/value", wrapped.position.data());
         append_row("particles/beads/image/value", wrapped.image.data());
         append_row("particles/beads/velocity/value", velocities.data());
+        for (std::size_t n = 0; n < force_series.size() && !frame.forces.empty(); ++n)
+          append_row(force_series[n] + std::string("/value"),
+                     flattened(n == 0 ? frame.forces : frame.drives).data());
         append_row("observables/mean_flow/value", frame.mean_flow.data());
         append_row("observables/momentum/value", frame.momentum.data());
         append_time(frames_, frame.step, frame.time);

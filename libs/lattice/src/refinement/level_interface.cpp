@@ -2,11 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <unordered_map>
-#include <vector>
 
 #include "beadswim/core/error.hpp"
 
@@ -69,8 +67,8 @@ void for_each_outer_run(const LevelPlace& place, Visit&& visit) {
 /// Fills the lists. Each rank asks the owners of cells for the populations that it needs.
 class LevelInterface::Search {
  public:
-  Search(Lists& lists, const Level& coarse, const Level& fine, const Communicator& communicator)
-      : lists_(lists), coarse_(coarse), fine_(fine), communicator_(communicator) {}
+  Search(LevelInterface& to_fill, const Level& coarse, const Level& fine, const Communicator& communicator)
+      : interface_(to_fill), coarse_(coarse), fine_(fine), communicator_(communicator) {}
 
   void find_entries() {
     Wanted sources, wanted;  // wanted: also the neighbours of the sources, for slopes
@@ -84,8 +82,8 @@ class LevelInterface::Search {
       sources.emplace(key_of(coarse_, source), source);
       if (half == 0) entries.push_back({.cell = cell, .direction = i});
     });
-    lists_.entries = PopulationsByRow(fine_.block, entries);
-    lists_.entering.resize(entries.size());
+    interface_.entries_ = PopulationsByRow(fine_.block, entries);
+    interface_.entering_.resize(entries.size());
     for (const auto& [key, source] : sources) {
       wanted.emplace(key, source);
       for_each_slope(source, [&](int, const CellPopulation& before, const CellPopulation& after) {
@@ -93,11 +91,11 @@ class LevelInterface::Search {
         wanted.emplace(key_of(coarse_, after), after);
       });
     }
-    const Places places = request(coarse_, wanted, lists_.sent_by_coarse, lists_.from_coarse);
+    const Places places = request(coarse_, wanted, interface_.sent_by_coarse_, interface_.from_coarse_);
     for (const auto& [key, source] : sources) add_source(key, source, places);
-    lists_.coarse_populations.resize(lists_.numbers.size());
+    interface_.coarse_populations_.resize(interface_.numbers_.size());
     for_each_entry([&](const Index3& cell, int i, int half) {
-      if (is_own(fine_, cell)) lists_.entry_lists[half].push_back(entry_of(cell, i, half));
+      if (is_own(fine_, cell)) interface_.entry_lists_[half].push_back(entry_of(cell, i, half));
     });
   }
 
@@ -109,7 +107,7 @@ class LevelInterface::Search {
         const CellPopulation departure{.cell = cell, .direction = i};
         if (is_own(coarse_, target_cell(cell, i, half))) wanted.emplace(key_of(fine_, departure), departure);
       });
-      places[half] = request(fine_, wanted, lists_.departures, lists_.from_fine[half]);
+      places[half] = request(fine_, wanted, interface_.departures_, interface_.from_fine_[half]);
     }
     std::map<Key, Target> targets;
     for_each_crossing(1, [&](const Index3& cell, int i) {
@@ -118,10 +116,10 @@ class LevelInterface::Search {
     std::vector<CellPopulation> arrivals, passing;
     for (const auto& [key, target] : targets) {
       (target.passes ? passing : arrivals).push_back(target.population);
-      (target.passes ? lists_.arriving_passing : lists_.arriving).add(target.places);
+      (target.passes ? interface_.arriving_passing_ : interface_.arriving_).add(target.places);
     }
-    lists_.arrivals = PopulationsByRow(coarse_.block, arrivals);
-    lists_.passing_arrivals = PopulationsByRow(coarse_.block, passing);
+    interface_.arrivals_ = PopulationsByRow(coarse_.block, arrivals);
+    interface_.passing_arrivals_ = PopulationsByRow(coarse_.block, passing);
   }
 
  private:
@@ -137,7 +135,7 @@ class LevelInterface::Search {
   /// A population of a coarse cell of this rank that comes from the fine level.
   struct Target {
     CellPopulation population;
-    bool passes = false;                     ///< belongs to Lists::passing_arrivals
+    bool passes = false;                     ///< belongs to LevelInterface::passing_arrivals_
     std::array<std::vector<int>, 2> places;  ///< of the numbers that are added, as [fine step]
   };
 
@@ -224,7 +222,6 @@ class LevelInterface::Search {
     return places;
   }
 
-  /// Adds a coarse population that this rank needs.
   void add_source(Key key, const CellPopulation& source, const Places& places) {
     CoarseNumbers numbers;
     numbers.centre = places.at(key);
@@ -232,18 +229,17 @@ class LevelInterface::Search {
       numbers.before[axis] = places.at(key_of(coarse_, before));
       numbers.after[axis] = places.at(key_of(coarse_, after));
     });
-    index_of_source_[key] = static_cast<int>(lists_.numbers.size());
-    lists_.numbers.push_back(numbers);
+    index_of_source_[key] = static_cast<int>(interface_.numbers_.size());
+    interface_.numbers_.push_back(numbers);
   }
 
   int offset_index(const Vec3& offset) {
-    const auto found = std::ranges::find(lists_.offsets, offset);
-    const auto index = static_cast<int>(found - lists_.offsets.begin());
-    if (found == lists_.offsets.end()) lists_.offsets.push_back(offset);
+    const auto found = std::ranges::find(interface_.offsets_, offset);
+    const auto index = static_cast<int>(found - interface_.offsets_.begin());
+    if (found == interface_.offsets_.end()) interface_.offsets_.push_back(offset);
     return index;
   }
 
-  /// Returns the entry of a fine cell of this rank.
   Entry entry_of(const Index3& cell, int i, int half) {
     const Key key = key_of(coarse_, source_of(cell, i, half));
     const EnteringParts& parts = entering_parts_.at(key);
@@ -259,7 +255,7 @@ class LevelInterface::Search {
     const bool passes = !is_refined(arrival.cell - lattice_vector(i));
     const Key departure = key_of(fine_, {.cell = cell, .direction = i});
     if (is_own(fine_, cell) && passes)
-      lists_.edge_passages.push_back({.number = places.at(departure), .entry = entry_of(cell, i, 0)});
+      interface_.edge_passages_.push_back({.number = places.at(departure), .entry = entry_of(cell, i, 0)});
     if (!is_own(coarse_, arrival.cell)) return;
     Target& target = targets[key_of(coarse_, arrival)];
     target.population = arrival;
@@ -267,12 +263,12 @@ class LevelInterface::Search {
     target.places[half].push_back(places.at(departure));
   }
 
-  Lists& lists_;
+  LevelInterface& interface_;
   const Level& coarse_;
   const Level& fine_;
   const Communicator& communicator_;
   std::unordered_map<Key, EnteringParts> entering_parts_;
-  std::unordered_map<Key, int> index_of_source_;  ///< in Lists::numbers
+  std::unordered_map<Key, int> index_of_source_;  ///< in LevelInterface::numbers_
 };
 
 namespace {
@@ -308,88 +304,76 @@ void set_plane(Populations& populations, const PopulationsByRow& list, int z, Se
   });
 }
 
-/// Evaluates the populations that enter the fine level.
-void evaluate(const std::vector<Entry>& entries, const std::vector<Vec3>& offsets,
-              const std::vector<CoarsePopulation>& populations, double* to) {
-  for (const Entry& entry : entries) *to++ = populations[entry.from].at(offsets[entry.offset]);
-}
-
-/// Evaluates values and slopes of populations of coarse cells.
-void evaluate(const std::vector<CoarseNumbers>& places, const NumberExchange& numbers,
-              std::vector<CoarsePopulation>& populations) {
-  for (std::size_t n = 0; n < places.size(); ++n) {
-    const CoarseNumbers& from = places[n];
-    populations[n].value = numbers[from.centre];
-    for (int a = 0; a < 3; ++a)
-      populations[n].slope[a] = (numbers[from.after[a]] - numbers[from.before[a]]) / 2;
-  }
-}
-
 }  // namespace
 
 LevelInterface::LevelInterface(const Communicator& communicator, Level& coarse, const Level& fine)
-    : lists_(communicator) {
+    : from_coarse_(communicator), from_fine_{NumberExchange(communicator), NumberExchange(communicator)} {
   require_room(coarse.place, fine.place);
   coarse.refined = coarse.place.parts_under(fine.place, coarse.block);
   std::erase_if(coarse.refined, [](const Block& part) { return part.is_empty(); });
-  Search search(lists_, coarse, fine, communicator);
+  Search search(*this, coarse, fine, communicator);
   search.find_entries();
   search.find_departures();
 }
 
 void LevelInterface::begin_fine_step(const Populations& coarse, const Populations& fine) {
-  const int half = lists_.half;
-  NumberExchange& from_fine = lists_.from_fine[half];
-  if (!lists_.has_numbers) {
-    read(coarse, lists_.sent_by_coarse, lists_.from_coarse.data());
-    read(fine, lists_.departures, from_fine.data());
-    lists_.has_numbers = true;
+  NumberExchange& from_fine = from_fine_[half_];
+  if (!has_numbers_) {
+    read(coarse, sent_by_coarse_, from_coarse_.data());
+    read(fine, departures_, from_fine.data());
+    has_numbers_ = true;
   }
-  if (half == 0) {
-    lists_.from_coarse.exchange(lists_.traffic);
-    evaluate(lists_.numbers, lists_.from_coarse, lists_.coarse_populations);
+  const auto value_of = [&](const Entry& entry) {
+    return coarse_populations_[entry.from].at(offsets_[entry.offset]);
+  };
+  if (half_ == 0) {
+    from_coarse_.exchange(traffic_);
+    for (std::size_t n = 0; n < numbers_.size(); ++n) {
+      const CoarseNumbers& from = numbers_[n];
+      coarse_populations_[n].value = from_coarse_[from.centre];
+      for (int a = 0; a < 3; ++a)
+        coarse_populations_[n].slope[a] = (from_coarse_[from.after[a]] - from_coarse_[from.before[a]]) / 2;
+    }
   } else {
-    for (const EdgePassage& passage : lists_.edge_passages)
-      from_fine[passage.number] -=
-          lists_.coarse_populations[passage.entry.from].at(lists_.offsets[passage.entry.offset]);
+    for (const EdgePassage& passage : edge_passages_) from_fine[passage.number] -= value_of(passage.entry);
   }
-  evaluate(lists_.entry_lists[half], lists_.offsets, lists_.coarse_populations, lists_.entering.data());
-  from_fine.exchange(lists_.traffic);
-  lists_.arriving.receive(half, from_fine);
-  lists_.arriving_passing.receive(half, from_fine);
+  std::ranges::transform(entry_lists_[half_], entering_.begin(), value_of);
+  from_fine.exchange(traffic_);
+  arriving_.receive(half_, from_fine);
+  arriving_passing_.receive(half_, from_fine);
 }
 
 void LevelInterface::set_fine_plane(Populations& fine, int z) const {
-  const double* entering = lists_.entering.data();
-  set_plane(fine, lists_.entries, z,
+  const double* entering = entering_.data();
+  set_plane(fine, entries_, z,
             [&]<class Real>(Real& incoming, int index) { incoming = static_cast<Real>(entering[index]); });
 }
 
 void LevelInterface::read_fine_plane(Populations& fine, int z) {
-  read_swept_plane(fine, lists_.departures, z, lists_.from_fine[1 - lists_.half].data());
+  read_swept_plane(fine, departures_, z, from_fine_[1 - half_].data());
 }
 
 bool LevelInterface::end_fine_step() {
-  lists_.half = 1 - lists_.half;
-  return lists_.half == 0;
+  half_ = 1 - half_;
+  return half_ == 0;
 }
 
 void LevelInterface::set_coarse_plane(Populations& coarse, int z) const {
-  const double *sums = lists_.arriving.sums().data(), *passing = lists_.arriving_passing.sums().data();
-  set_plane(coarse, lists_.arrivals, z,
+  const double *sums = arriving_.sums().data(), *passing = arriving_passing_.sums().data();
+  set_plane(coarse, arrivals_, z,
             [&]<class Real>(Real& incoming, int index) { incoming = static_cast<Real>(sums[index] / 8); });
-  set_plane(coarse, lists_.passing_arrivals, z, [&]<class Real>(Real& incoming, int index) {
+  set_plane(coarse, passing_arrivals_, z, [&]<class Real>(Real& incoming, int index) {
     incoming = static_cast<Real>(static_cast<double>(incoming) + passing[index] / 8);
   });
 }
 
 void LevelInterface::read_coarse_plane(Populations& coarse, int z) {
-  read_swept_plane(coarse, lists_.sent_by_coarse, z, lists_.from_coarse.data());
+  read_swept_plane(coarse, sent_by_coarse_, z, from_coarse_.data());
 }
 
 FluidTotals LevelInterface::in_transit() const {
   FluidTotals totals;
-  if (lists_.half == 0) return totals;
+  if (half_ == 0) return totals;
   const auto add = [&](const PopulationsByRow& list, const double* values, int sign) {
     for (int z = 0; z < list.planes(); ++z) {
       list.for_each_run(z, [&](const PopulationsByRow::Run& run, int, int index) {
@@ -400,14 +384,14 @@ FluidTotals LevelInterface::in_transit() const {
       });
     }
   };
-  add(lists_.departures, lists_.from_fine[0].data(), 1);
-  add(lists_.entries, lists_.entering.data(), -1);
+  add(departures_, from_fine_[0].data(), 1);
+  add(entries_, entering_.data(), -1);
   return totals;
 }
 
 std::set<int> LevelInterface::neighbours() const {
-  std::set<int> others = lists_.from_coarse.peers();
-  for (const NumberExchange& numbers : lists_.from_fine) others.merge(numbers.peers());
+  std::set<int> others = from_coarse_.peers();
+  for (const NumberExchange& numbers : from_fine_) others.merge(numbers.peers());
   return others;
 }
 

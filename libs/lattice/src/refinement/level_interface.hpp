@@ -58,7 +58,7 @@ struct CoarseNumbers {
 /// A population that enters a fine cell.
 struct Entry {
   int from = 0;    ///< index of the CoarsePopulation
-  int offset = 0;  ///< index in Lists::offsets
+  int offset = 0;  ///< index in LevelInterface::offsets_
 };
 
 /// A population that enters the fine level in the first fine step, as `entry`, and leaves it in the second
@@ -69,7 +69,7 @@ struct EdgePassage {
   Entry entry;
 };
 
-/// Sums of the numbers that arrive in coarse cells, in the order of Lists::arrivals.
+/// Sums of the numbers that arrive in coarse cells, in the order of LevelInterface::arrivals_.
 class ArrivingSums {
  public:
   /// Adds a sum of the numbers at `places`, as [fine step].
@@ -146,34 +146,27 @@ class LevelInterface {
 
   /// Returns the other ranks that exchange populations with this rank.
   std::set<int> neighbours() const;
-  /// Returns the messages that have been sent so far.
-  const Traffic& traffic() const { return lists_.traffic; }
+  const Traffic& traffic() const { return traffic_; }
 
  private:
-  struct Lists {
-    explicit Lists(const Communicator& communicator)
-        : from_coarse(communicator), from_fine{NumberExchange(communicator), NumberExchange(communicator)} {}
-
-    NumberExchange from_coarse;               ///< own numbers: sent_by_coarse
-    std::array<NumberExchange, 2> from_fine;  ///< one per fine step; own numbers: departures
-    PopulationsByRow sent_by_coarse;          ///< outgoing populations of coarse cells
-    PopulationsByRow entries, departures;     ///< incoming and outgoing populations of fine cells
-    PopulationsByRow arrivals;                ///< incoming populations of coarse cells
-    PopulationsByRow passing_arrivals;   ///< arrivals that add to the population from another coarse cell
-    std::vector<CoarseNumbers> numbers;  ///< sources of coarse_populations
-    std::vector<CoarsePopulation> coarse_populations;
-    std::vector<Vec3> offsets;                      ///< all offsets that entries have [coarse cell]
-    std::array<std::vector<Entry>, 2> entry_lists;  ///< one per fine step, in the order of `entries`
-    std::vector<double> entering;                   ///< values of `entries` in the present fine step
-    std::vector<EdgePassage> edge_passages;
-    ArrivingSums arriving, arriving_passing;
-    int half = 0;              ///< number of fine steps done in this coarse step
-    bool has_numbers = false;  ///< the numbers of the next fine step have been read
-    Traffic traffic;
-  };
   class Search;
 
-  Lists lists_;
+  NumberExchange from_coarse_;               ///< own numbers: sent_by_coarse_
+  std::array<NumberExchange, 2> from_fine_;  ///< one per fine step; own numbers: departures_
+  PopulationsByRow sent_by_coarse_;          ///< outgoing populations of coarse cells
+  PopulationsByRow entries_, departures_;    ///< incoming and outgoing populations of fine cells
+  PopulationsByRow arrivals_;                ///< incoming populations of coarse cells
+  PopulationsByRow passing_arrivals_;        ///< arrivals that add to the population from another coarse cell
+  std::vector<CoarseNumbers> numbers_;       ///< sources of coarse_populations_
+  std::vector<CoarsePopulation> coarse_populations_;
+  std::vector<Vec3> offsets_;                      ///< all offsets that entries have [coarse cell]
+  std::array<std::vector<Entry>, 2> entry_lists_;  ///< one per fine step, in the order of `entries_`
+  std::vector<double> entering_;                   ///< values of `entries_` in the present fine step
+  std::vector<EdgePassage> edge_passages_;
+  ArrivingSums arriving_, arriving_passing_;
+  int half_ = 0;              ///< number of fine steps done in this coarse step
+  bool has_numbers_ = false;  ///< the numbers of the next fine step have been read
+  Traffic traffic_;
 };
 
 }  // namespace beadswim

@@ -37,13 +37,22 @@ double mesh_points(const EwaldScene& scene, const EwaldPlan& plan, const Vec3& l
   return points;
 }
 
+/// Computing times per pair of a point and a bead, by the highest moment of the forces, and per mesh point of
+/// a window, in the same unit.
+constexpr std::array work_per_near_point{20.0, 25.0, 35.0}, work_per_direct_point{8.0, 12.0, 20.0};
+constexpr double work_per_gathered_point = 0.05;
+
 double work(const EwaldScene& scene, const EwaldPlan& plan) {
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
   const double neighbours = 4.0 / 3 * std::numbers::pi * std::pow(plan.cutoff, 3) * scene.beads / volume;
   const Work& each = works[scene.moment_order];
-  return each.pair * scene.beads * neighbours / 2 +
-         each.window_point * scene.beads * std::pow(plan.window, 3) +
-         each.mesh_point * mesh_points(scene, plan, scene.lengths);
+  const double on_mesh = each.window_point * scene.beads * std::pow(plan.window, 3) +
+                         each.mesh_point * mesh_points(scene, plan, scene.lengths);
+  if (scene.points > 0)
+    return scene.points * (work_per_near_point[scene.moment_order] * neighbours +
+                           work_per_gathered_point * std::pow(plan.window, 3)) +
+           on_mesh;
+  return each.pair * scene.beads * neighbours / 2 + on_mesh;
 }
 
 /// Returns true if a mesh that also contains the mirror points takes less time than a sum over all pairs of a
@@ -52,7 +61,8 @@ bool has_mirror_points(const EwaldScene& scene, const EwaldPlan& plan) {
   if (!scene.lengths_with_mirror_points) return false;
   const double points =
       mesh_points(scene, plan, *scene.lengths_with_mirror_points) - mesh_points(scene, plan, scene.lengths);
-  return works[scene.moment_order].mirror_pairs_per_mesh_point * points < scene.beads * scene.beads;
+  return works[scene.moment_order].mirror_pairs_per_mesh_point * points <
+         scene.beads * (scene.points > 0 ? scene.points : scene.beads);
 }
 
 /// Returns s = xi * cutoff for which the error of the velocities is within the tolerance. The estimate
@@ -87,7 +97,7 @@ EwaldPlan plan_with(const EwaldScene& scene, double xi) {
   const auto error = [&](int points) {
     return 4 * (1 + 0.6 * size * size * size * size) * std::exp(-1.36 * points);
   };
-  int window = 4;
+  int window = 6;
   while (window < 26 && error(window) > scene.tolerance) window += 2;
   // The windows may apply at most the share 0.6 of the exponent of the far part's Gaussian:
   // share = (window pi/(2 s m))^2 <= 0.6. Otherwise the remaining kernel of open space is too narrow for the
@@ -147,6 +157,20 @@ EwaldPlan plan_ewald(const EwaldScene& asked) {
                                  "box, or one with less different edges, or open space ({})",
                                  points, max_points, Setting::unbounded));
   return best;
+}
+
+std::optional<EwaldPlan> plan_flow(const EwaldScene& scene) {
+  const double direct = scene.points * scene.beads * work_per_direct_point[scene.moment_order];
+  // A mesh that is too large for its points takes more time than the direct sum, which needs no plan.
+  constexpr double min_pairs_on_mesh = 1e6;
+  if (!scene.is_periodic && scene.points * scene.beads < min_pairs_on_mesh) return std::nullopt;
+  try {
+    const EwaldPlan plan = plan_ewald(scene);
+    return scene.is_periodic || work(scene, plan) < direct ? std::optional(plan) : std::nullopt;
+  } catch (const InputError&) {
+    if (scene.is_periodic) throw;
+    return std::nullopt;  // the mesh would have too many points
+  }
 }
 
 int next_fft_size(double min_size) {

@@ -35,6 +35,12 @@ double component(const Eigen::Matrix3d& tensor, int d) {
 
 }  // namespace
 
+Eigen::Matrix3d stresslet_of(const double* coefficients) {
+  Eigen::Matrix3d stresslet = Eigen::Matrix3d::Zero();
+  for (int m = 0; m < 5; ++m) stresslet += coefficients[m] * basis()[m];
+  return stresslet;
+}
+
 void source_of_moments(int order, double radius, const double* moments, double* source) {
   const int count = derivative_count(order);
   for (int c = 0; c < 3; ++c) {
@@ -97,6 +103,18 @@ const MomentMatrix& transverse_mean() {
   return all;
 }
 
+/// Returns the self-mobility by `integrals` of products of the form factors of each pair of degrees over the
+/// wavenumber.
+Eigen::MatrixXd self_mobility_of(const Eigen::Matrix3d& integrals, int order, double viscosity) {
+  const int count = moment_count(order);
+  Eigen::MatrixXd mobility = transverse_mean().topLeftCorner(count, count);
+  for (int m = 0; m < count; ++m)
+    for (int k = 0; k < count; ++k)
+      mobility(m, k) *= integrals(degree_of_moment(m), degree_of_moment(k)) /
+                        (2 * std::numbers::pi * std::numbers::pi * viscosity);
+  return mobility;
+}
+
 }  // namespace
 
 // The integral of j_l(ka)^2 over k is pi/(2 (2 l + 1) a). Moments of different degree do not couple.
@@ -127,13 +145,27 @@ Eigen::MatrixXd moment_self_mobility_below(double wavenumber, int order, double 
       integrals += weight * factors * factors.transpose();
     }
   }
-  const int count = moment_count(order);
-  Eigen::MatrixXd mobility = transverse_mean().topLeftCorner(count, count);
-  for (int m = 0; m < count; ++m)
-    for (int k = 0; k < count; ++k)
-      mobility(m, k) *= integrals(degree_of_moment(m), degree_of_moment(k)) /
-                        (2 * std::numbers::pi * std::numbers::pi * viscosity);
-  return mobility;
+  return self_mobility_of(integrals, order, viscosity);
+}
+
+Eigen::MatrixXd far_moment_self_mobility(double xi, int order, double radius, double viscosity) {
+  const double a2 = radius * radius, variance = 2 * xi * xi;  // of exp(-k^2/(4 xi^2))
+  const std::array factors{1.0, 1.0, -a2 / 15};               // of k^l
+  Eigen::Matrix3d integrals;
+  for (int l = 0; l <= max_moment_order; ++l) {
+    for (int m = 0; m <= max_moment_order; ++m) {
+      // Integrals of k^(l + m + 2 n) exp(-k^2/(4 xi^2)), n = 0, 1, 2; moments of odd sums l + m do not
+      // couple.
+      std::array<double, 3> even{std::sqrt(std::numbers::pi) * xi};
+      for (int k = 1; k < l + m; k += 2) even[0] *= k * variance;
+      even[1] = (l + m + 1) * variance * even[0];
+      even[2] = (l + m + 3) * variance * even[1];
+      const double sizes = (size_factors[l] + size_factors[m]) * a2, width = 1 / (4 * xi * xi);
+      integrals(l, m) =
+          factors[l] * factors[m] * (even[0] + (width - sizes) * even[1] - sizes * width * even[2]);
+    }
+  }
+  return self_mobility_of(integrals, order, viscosity);
 }
 
 }  // namespace beadswim

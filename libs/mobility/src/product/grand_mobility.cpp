@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <map>
 
 #include "beadswim/mobility/ewald_split.hpp"
 
@@ -47,16 +48,17 @@ void sum_over_ranks(std::span<double> numbers, const Communicator& communicator)
   parts.resize(each * ranks, 0.0);
   std::vector<double> arrived(each * ranks), sums(each, 0.0);
   const int count = static_cast<int>(each);
-  MPI_Alltoall(parts.data(), count, MPI_DOUBLE, arrived.data(), count, MPI_DOUBLE, communicator.get());
+  if (ranks > 1)
+    MPI_Alltoall(parts.data(), count, MPI_DOUBLE, arrived.data(), count, MPI_DOUBLE, communicator.get());
+  else
+    arrived = parts;
   for (int r = 0; r < ranks; ++r)
     for (std::size_t k = 0; k < each; ++k) sums[k] += arrived[r * each + k];
-  MPI_Allgather(sums.data(), count, MPI_DOUBLE, parts.data(), count, MPI_DOUBLE, communicator.get());
+  if (ranks > 1)
+    MPI_Allgather(sums.data(), count, MPI_DOUBLE, parts.data(), count, MPI_DOUBLE, communicator.get());
+  else
+    parts = sums;
   std::copy_n(parts.begin(), numbers.size(), numbers.begin());
-}
-
-/// Returns the factor of the self-mobility that depends on the radius: 1/a for F and Q, 1/a^3 for S.
-double self_mobility_scale(int degree, double radius) {
-  return degree == 1 ? 1 / (radius * radius * radius) : 1 / radius;
 }
 
 }  // namespace
@@ -64,28 +66,47 @@ double self_mobility_scale(int degree, double radius) {
 GrandMobility::GrandMobility(const MobilityScene& scene, const std::optional<EwaldPlan>& plan,
                              const Communicator& communicator)
     : box_(scene.box),
+      half_space_(scene.half_space),
       radii_(scene.radii),
       spheres_(imaged_spheres(scene)),
       communicator_(communicator),
-      pairs_(spheres_, plan, 2 * *std::ranges::max_element(scene.radii)),
-      self_(moment_self_mobility(order(), 1, scene.viscosity)),
-      inverse_self_(self_.inverse()) {
+      pairs_(spheres_, plan, 2 * *std::ranges::max_element(scene.radii)) {
   if (scene.half_space) wall_.emplace(spheres_, *scene.half_space, plan);
   const std::optional<FluidMemory> memory = inertial_memory(scene.memory);
-  if (plan) mesh_ = std::make_unique<ParticleMesh>(*plan, spheres_, memory, scene.half_space, communicator);
+  if (plan)
+    mesh_ = std::make_unique<ParticleMesh>(*plan, spheres_, memory, scene.half_space, Receivers::spheres,
+                                           communicator);
   if (memory) unresolved_.emplace(radii_, order(), scene.viscosity, *memory, mesh_->memory()->cutoff());
+  std::map<double, std::shared_ptr<const SelfMobility>> by_radius;
   for (std::size_t b = 0; b < radii_.size(); ++b) {
-    const double a = spheres_.radii[b];
-    self_forces_.push_back(self_mobility(radii_[b], scene.viscosity));
-    if (plan) self_forces_.back() -= far_self_mobility(plan->xi, a * a, scene.viscosity);
+    auto& self = by_radius[radii_[b]];
+    if (!self) self = std::make_shared<SelfMobility>(self_mobility_of(b, plan));
+    self_.push_back(self);
   }
+}
+
+GrandMobility::SelfMobility GrandMobility::self_mobility_of(std::size_t sphere,
+                                                            const std::optional<EwaldPlan>& plan) const {
+  const Eigen::MatrixXd whole = moment_self_mobility(order(), radii_[sphere], spheres_.viscosity);
+  const Eigen::Index higher = moments_per_sphere() - 3;
+  SelfMobility self{.beside_mesh = whole, .inverse = whole.inverse().bottomRightCorner(higher, higher)};
+  if (!plan) return self;
+  const double radius = spheres_.radii[sphere];
+  if (order() == 0)
+    self.beside_mesh.diagonal().array() -= far_self_mobility(plan->xi, radius * radius, spheres_.viscosity);
+  else
+    self.beside_mesh -= far_moment_self_mobility(plan->xi, order(), radius, spheres_.viscosity);
+  return self;
 }
 
 void GrandMobility::set_positions(std::span<const Vec3> positions) {
   std::vector<Vec3> places(positions.begin(), positions.end());
   add_mirror_images(box_, places);
   pairs_.set_positions(places, positions.size());
-  if (mesh_) mesh_->set_positions(places, positions.size());
+  if (mesh_) {
+    mesh_->set_sources(places, bounding_box(positions));
+    mesh_->set_receivers(positions);
+  }
   if (wall_) wall_->set_positions(positions);
 }
 
@@ -104,33 +125,68 @@ void GrandMobility::apply(std::span<const double> moments, std::span<double> pro
   const std::size_t elements = spheres_.elements();
   const std::vector<double> sources = sources_of(moments);
   std::vector<double> flows(elements * radii_.size(), 0.0);
+  std::vector<MirrorFlow> at_mirrors(wall_ ? radii_.size() : 0);
   pairs_.add_flows(sources, flows, communicator_);
-  if (mesh_ && !(wall_ && wall_->uses_mesh())) mesh_->add_flows(sources, part, flows);
-  if (wall_) wall_->add_flows(sources, flows, mesh_.get(), communicator_);
+  if (mesh_) mesh_->add_flows(sources, part, flows, at_mirrors);
+  if (wall_) wall_->add_flows(sources, at_mirrors, flows, communicator_);
   sum_over_ranks(flows, communicator_);
-  if (mesh_ && order() > 0) pairs_.subtract_far_flow(sources, flows);
   for (std::size_t b = 0; b < radii_.size(); ++b) {
     project_flow(order(), radii_[b], &flows[elements * b], &projections[count * b]);
-    if (order() == 0) {
-      for (int c = 0; c < 3; ++c) projections[3 * b + c] += self_forces_[b] * moments[3 * b + c];
-      continue;
-    }
-    for (int m = 0; m < count; ++m)
-      for (int k = 0; k < count; ++k)
-        projections[count * b + m] +=
-            self_mobility_scale(degree_of_moment(m), radii_[b]) * self_(m, k) * moments[count * b + k];
+    Eigen::Map<Eigen::VectorXd>(&projections[count * b], count).noalias() +=
+        self_[b]->beside_mesh * Eigen::Map<const Eigen::VectorXd>(&moments[count * b], count);
   }
   if (unresolved_) unresolved_->add_projections(moments, part, projections);
+}
+
+void GrandMobility::add_flow_at(std::span<const Vec3> points, std::span<const Vec3> positions,
+                                std::span<const double> moments, const std::optional<EwaldPlan>& plan,
+                                std::span<const int> spheres, std::span<Vec3> velocities) const {
+  const std::vector<double> sources = sources_of(moments);
+  std::vector<Vec3> places(positions.begin(), positions.end());
+  add_mirror_images(box_, places);
+  const bool is_mirrored_on_mesh = plan && plan->has_mirror_points;
+  SourceSum near(spheres_, Receivers::points, plan),
+      mirrors(spheres_, Receivers::points, is_mirrored_on_mesh ? plan : std::nullopt);
+  near.set_positions(places);
+  mirrors.set_positions(places);
+  std::optional<ParticleMesh> mesh;
+  if (plan) {
+    mesh.emplace(*plan, spheres_, std::nullopt, half_space_, Receivers::points, communicator_);
+    mesh->set_sources(places, bounding_box(points));
+    mesh->evaluate(sources, FlowPart::forces);
+  }
+  constexpr std::size_t points_at_once = 1 << 15;  // bounds the memory for the flow at mirror points
+  const int axis = half_space_ ? half_space_->axis : 2;
+  for (std::size_t first = 0; first < points.size(); first += points_at_once) {
+    const auto chunk = points.subspan(first, std::min(points_at_once, points.size() - first));
+    std::vector<double> flows(3 * chunk.size(), 0.0);
+    std::vector<MirrorFlow> at_mirrors(half_space_ ? chunk.size() : 0);
+    if (mesh) {
+      mesh->set_receivers(chunk);
+      mesh->gather_flows(flows, at_mirrors);
+    }
+    if (has_memory()) mesh_->add_remainder(chunk, flows);
+    for (std::size_t p = communicator_.rank(); p < chunk.size(); p += communicator_.size()) {
+      if (spheres[first + p] >= 0) continue;
+      MirrorFlow flow;
+      near.add_flow(sources, chunk[p], axis, flow);
+      for (int t = 0; t < 2; ++t) flows[3 * p + (axis + 1 + t) % 3] += flow.along[t][0];
+      flows[3 * p + axis] += flow.across[0];
+      if (half_space_) mirrors.add_flow(sources, half_space_->mirrored(chunk[p]), axis, at_mirrors[p]);
+    }
+    for (std::size_t p = 0; p < at_mirrors.size(); ++p)
+      add_reflected_flow(0, axis, half_space_->height(chunk[p]), {}, at_mirrors[p], &flows[3 * p]);
+    sum_over_ranks(flows, communicator_);
+    for (std::size_t p = 0; p < chunk.size(); ++p) velocities[first + p] += Vec3::Map(&flows[3 * p]);
+  }
 }
 
 std::vector<double> GrandMobility::precondition(std::span<const double> projections) const {
   const int count = moments_per_sphere();
   std::vector<double> moments(projections.size(), 0.0);
-  for (std::size_t b = 0; count * b < projections.size(); ++b)
-    for (int m = 3; m < count; ++m)
-      for (int k = 3; k < count; ++k)
-        moments[count * b + m] += inverse_self_(m, k) / self_mobility_scale(degree_of_moment(m), radii_[b]) *
-                                  projections[count * b + k];
+  for (std::size_t b = 0; b < radii_.size(); ++b)
+    Eigen::Map<Eigen::VectorXd>(moments.data() + count * b + 3, count - 3) =
+        self_[b]->inverse * Eigen::Map<const Eigen::VectorXd>(projections.data() + count * b + 3, count - 3);
   return moments;
 }
 

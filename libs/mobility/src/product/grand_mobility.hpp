@@ -35,6 +35,12 @@ class GrandMobility {
   /// Sets `projections` to M `moments`, moment_count() numbers per sphere each, with the projections of the
   /// flow that earlier forces have left if `part` asks for them. Collective.
   void apply(std::span<const double> moments, std::span<double> projections, FlowPart part);
+  /// Adds the flow of the moments of spheres at `positions` at points without size, except at those that lie
+  /// in a sphere (spheres[p] >= 0), and the flow by the memory of the fluid. `plan`: of the Ewald sum for the
+  /// points; nullopt: all pairs are summed directly. Collective.
+  void add_flow_at(std::span<const Vec3> points, std::span<const Vec3> positions,
+                   std::span<const double> moments, const std::optional<EwaldPlan>& plan,
+                   std::span<const int> spheres, std::span<Vec3> velocities) const;
   /// Returns the moments H that would cause `projections` on each sphere alone; the forces are zero.
   std::vector<double> precondition(std::span<const double> projections) const;
 
@@ -47,10 +53,16 @@ class GrandMobility {
   UnresolvedMemory& unresolved() { return *unresolved_; }
 
  private:
+  struct SelfMobility {
+    Eigen::MatrixXd beside_mesh;  ///< without the far part of the Ewald sum, which the mesh contains
+    Eigen::MatrixXd inverse;      ///< inverse of the whole self-mobility of the higher moments
+  };
+  SelfMobility self_mobility_of(std::size_t sphere, const std::optional<EwaldPlan>& plan) const;
   int order() const { return spheres_.order; }
   std::vector<double> sources_of(std::span<const double> moments) const;
 
   std::optional<Box> box_;
+  std::optional<HalfSpace> half_space_;
   std::vector<double> radii_;  ///< of the spheres without images [length]
   ImagedSpheres spheres_;
   const Communicator& communicator_;
@@ -58,8 +70,7 @@ class GrandMobility {
   std::unique_ptr<ParticleMesh> mesh_{};          ///< null: all pairs are summed without a mesh
   std::optional<WallImages> wall_{};              ///< nullopt: without half-space
   std::optional<UnresolvedMemory> unresolved_{};  ///< nullopt: steady flow
-  std::vector<double> self_forces_;               ///< order 0: self-mobility without the far part [time/mass]
-  Eigen::MatrixXd self_, inverse_self_;           ///< self-mobility of a sphere of radius 1, and its inverse
+  std::vector<std::shared_ptr<const SelfMobility>> self_;  ///< of each sphere; equal spheres share one
 };
 
 }  // namespace beadswim

@@ -2,34 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "beadswim/collinear/multipole_mobility.hpp"
-#include "beadswim/mobility/line_map.hpp"
 
 namespace beadswim {
 namespace {
 
-constexpr double max_gap = 64;                               // largest gap of a table [mean radius]
-constexpr double pair_excess = 0.01, triplet_excess = 0.02;  // cosh xi - 1 at the smallest gap
-constexpr double truncation = 1e-8;                          // tolerance of multipole_mobility()
+constexpr double viscosity = 1;
+constexpr double max_gap = 64;       // largest gap of a table [mean radius]
+constexpr double truncation = 1e-8;  // tolerance of multipole_mobility()
+constexpr double spacing = 0.125;    // distance of neighbouring table nodes
+constexpr int stencil = 6;           // table nodes per axis that one interpolation uses
 
-double mean(double a, double b) {
-  return (a + b) / 2;
+double no_weight(double /*distance*/) {
+  return 0;
 }
 
-template <class Lattice>
-typename Lattice::Axis axis_of(double radius_i, double radius_j, double excess) {
-  const double first = std::log(min_tabulated_gap(radius_i, radius_j, excess) / mean(radius_i, radius_j));
-  const double last = std::log(max_gap);
-  return {.first = first, .nodes = static_cast<int>(std::ceil((last - first) / Lattice::spacing)) + 1};
-}
-
+/// Returns the positions of the spheres, of which the first is at 0.
 template <std::size_t n>
-Eigen::MatrixXd exact_map(const std::array<double, n>& radii, const std::array<double, n>& positions) {
-  constexpr double viscosity = 1;  // S does not depend on the viscosity
-  return line_map(multipole_mobility(radii, positions, viscosity, truncation).value,
-                  rotne_prager_line(radii, positions, viscosity));
+std::array<double, n> line_of(const std::array<double, n>& radii, const std::array<double, n - 1>& gaps) {
+  std::array<double, n> line{};
+  for (std::size_t k = 0; k + 1 < n; ++k) line[k + 1] = line[k] + radii[k] + gaps[k] + radii[k + 1];
+  return line;
 }
 
 /// Evaluates the n Lagrange polynomials of the nodes 0 to n - 1 at t.
@@ -54,6 +48,13 @@ std::array<double, n> lagrange_weights(double t) {
 
 }  // namespace
 
+double fading(double x, double full, double none) {
+  if (x <= full) return 1;
+  if (x >= none) return 0;
+  const double t = (x - full) / (none - full);
+  return 1 - t * t * t * (10 - 15 * t + 6 * t * t);
+}
+
 /// Solves gap (R - a_l + a_s) = 2 excess R a_l for the gap. a_l is the larger radius, a_s the smaller radius,
 /// and R = gap + a_l + a_s the distance of the centres.
 double min_tabulated_gap(double radius_i, double radius_j, double excess) {
@@ -62,94 +63,73 @@ double min_tabulated_gap(double radius_i, double radius_j, double excess) {
   return -half + std::sqrt(half * half + 2 * excess * large * (large + small));
 }
 
-template <int axes, int values>
-LazyTable<axes, values>::LazyTable(const std::array<Axis, axes>& extent,
-                                   std::function<Values(const Place&)> law)
-    : extent_(extent), law_(std::move(law)) {
-  std::size_t count = 1;
-  for (const Axis& axis : extent_) count *= axis.nodes;
+template <int N>
+LineMapTable<N>::LineMapTable(const std::array<double, N>& radii) : radii_(radii) {
+  int count = 1;
+  for (int k = 0; k < N - 1; ++k) {
+    min_gaps_[k] = min_tabulated_gap(radii[k], radii[k + 1], 0.01 * (N - 1));
+    const double last = std::log(max_gap * (radii[k] + radii[k + 1]) / 2 / min_gaps_[k]);
+    counts_[k] = static_cast<int>(std::ceil(last / spacing)) + 1;
+    count *= counts_[k];
+  }
   nodes_.resize(count);
 }
 
-template <int axes, int values>
-auto LazyTable<axes, values>::node(const std::array<int, axes>& index) const -> const Values& {
-  std::size_t number = 0;
-  Place place;
-  for (int a = 0; a < axes; ++a) {
-    number = number * extent_[a].nodes + index[a];
-    place[a] = extent_[a].first + spacing * index[a];
+template <int N>
+const LineMatrix<N>& LineMapTable<N>::node(const Index& index) {
+  int number = 0;
+  Gaps gaps;
+  for (int k = 0; k < N - 1; ++k) {
+    number = number * counts_[k] + index[k];
+    gaps[k] = min_gaps_[k] * std::exp(spacing * index[k]);
   }
-  if (!nodes_[number]) nodes_[number] = law_(place);
+  const auto line = line_of(radii_, gaps);
+  if (!nodes_[number])
+    nodes_[number] = multipole_mobility(radii_, line, viscosity, truncation).value -
+                     strained_line<N>(radii_, line, viscosity, no_weight);
   return *nodes_[number];
 }
 
-template <int axes, int values>
-auto LazyTable<axes, values>::at(const Place& place) const -> Values {
-  std::array<std::array<double, stencil>, axes> weights;
-  std::array<int, axes> first;
+template <int N>
+LineMatrix<N> LineMapTable<N>::interpolated(const Gaps& gaps) {
+  std::array<std::array<double, stencil>, N - 1> weights;
+  Index first;
   int points = 1;
-  for (int a = 0; a < axes; ++a) {
-    const int last = extent_[a].nodes - 1;
-    const double scaled = (place[a] - extent_[a].first) / spacing;
-    const double t = scaled > 0 ? std::min(scaled, double(last)) : 0;
-    first[a] = std::clamp(static_cast<int>(t) - stencil / 2 + 1, 0, last - stencil + 1);
-    weights[a] = lagrange_weights<stencil>(t - first[a]);
+  for (int k = 0; k < N - 1; ++k) {
+    const int last = counts_[k] - 1;
+    const double t = std::min(std::log(gaps[k] / min_gaps_[k]) / spacing, double(last));
+    first[k] = std::clamp(static_cast<int>(t) - stencil / 2 + 1, 0, last - stencil + 1);
+    weights[k] = lagrange_weights<stencil>(t - first[k]);
     points *= stencil;
   }
-  Values sum{};
+  LineMatrix<N> sum = LineMatrix<N>::Zero();
   for (int p = 0; p < points; ++p) {
-    std::array<int, axes> index;
+    Index index;
     double weight = 1;
-    for (int a = 0, rest = p; a < axes; ++a, rest /= stencil) {
-      index[a] = first[a] + rest % stencil;
-      weight *= weights[a][rest % stencil];
+    for (int k = 0, rest = p; k < N - 1; ++k, rest /= stencil) {
+      index[k] = first[k] + rest % stencil;
+      weight *= weights[k][rest % stencil];
     }
-    const Values& at_node = node(index);
-    for (int v = 0; v < values; ++v) sum[v] += weight * at_node[v];
+    sum += weight * node(index);
   }
   return sum;
 }
 
-template class LazyTable<1, 1>;
-template class LazyTable<1, 2>;
-template class LazyTable<2, 6>;
-
-PairMapTable::PairMapTable(const std::array<double, 2>& radii)
-    : mean_radius_(mean(radii[0], radii[1])),
-      table_({axis_of<LazyTable<1, 2>>(radii[0], radii[1], pair_excess)},
-             [radii, unit = mean_radius_](const std::array<double, 1>& u) {
-               const double distance = radii[0] + radii[1] + unit * std::exp(u[0]);
-               const Eigen::Matrix2d log = log_of_pair_map(exact_map<2>(radii, {0, distance}));
-               return std::array{log(0, 0), log(0, 1)};
-             }) {}
-
-Eigen::RowVector2d PairMapTable::log_map(double gap) const {
-  const auto [own, other] = table_.at({std::log(gap / mean_radius_)});
-  return {own, other};
+template <int N>
+LineMap<N> LineMapTable<N>::at(Gaps gaps, double (*weight)(double)) {
+  double share = 1;
+  for (int k = 0; k < N - 1; ++k) {
+    share *= fading(min_gaps_[k] - gaps[k], 0, min_gaps_[k]);
+    gaps[k] = std::max(min_gaps_[k], gaps[k]);  // NaN: the smallest gap
+  }
+  const auto line = line_of(radii_, gaps);
+  LineMap<N> result = line_map<N>(strained_line<N>(radii_, line, viscosity, no_weight) + interpolated(gaps),
+                                  strained_line<N>(radii_, line, viscosity, weight));
+  result.tow_defect *= share;
+  return result;
 }
 
-TripletMapTable::TripletMapTable(const std::array<double, 3>& radii)
-    : mean_radii_{mean(radii[0], radii[1]), mean(radii[1], radii[2])},
-      table_({axis_of<LazyTable<2, 6>>(radii[0], radii[1], triplet_excess),
-              axis_of<LazyTable<2, 6>>(radii[1], radii[2], triplet_excess)},
-             [radii, units = mean_radii_](const std::array<double, 2>& u) {
-               const double second = radii[0] + radii[1] + units[0] * std::exp(u[0]);
-               const double third = second + radii[1] + radii[2] + units[1] * std::exp(u[1]);
-               const Eigen::Matrix3d change =
-                   exact_map<3>(radii, {0, second, third}) - Eigen::Matrix3d::Identity();
-               return std::array{change(0, 0), change(0, 1), change(0, 2),
-                                 change(2, 0), change(2, 1), change(2, 2)};
-             }) {}
-
-Eigen::Matrix3d TripletMapTable::change(const std::array<double, 2>& gaps) const {
-  const auto c = table_.at({std::log(gaps[0] / mean_radii_[0]), std::log(gaps[1] / mean_radii_[1])});
-  Eigen::Matrix3d change;  // the columns of S - I sum to zero
-  // clang-format off
-  change <<  c[0],         c[1],         c[2],
-            -c[0] - c[3], -c[1] - c[4], -c[2] - c[5],
-             c[3],         c[4],         c[5];
-  // clang-format on
-  return change;
-}
+template class LineMapTable<2>;
+template class LineMapTable<3>;
 
 }  // namespace beadswim

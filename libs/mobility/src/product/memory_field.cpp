@@ -26,38 +26,71 @@ Eigen::Vector3cd transverse(const Vec3& k, const Eigen::Vector3cd& f) {
   return f - k * (k.dot(f) / k.squaredNorm());
 }
 
+/// Returns the squared radii of the classes: all that occur, or four Chebyshev points between the smallest
+/// and the largest.
+std::vector<double> squares_of_classes(std::vector<double> squares) {
+  std::ranges::sort(squares);
+  squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
+  constexpr std::size_t points = max_exact_radii;
+  if (squares.size() <= points) return squares;
+  const double middle = (squares.back() + squares.front()) / 2, half = (squares.back() - squares.front()) / 2;
+  std::vector<double> nodes;
+  for (std::size_t n = 0; n < points; ++n)
+    nodes.push_back(middle - half * std::cos(std::numbers::pi * static_cast<double>(n) / (points - 1)));
+  return nodes;
+}
+
 }  // namespace
 
-MemoryField::MemoryField(const Law& law, const MeshTransform& transform) : law_(law), transform_(transform) {
-  const auto& n = law.points;
+void MemoryField::set_classes(const ImagedSpheres& spheres) {
+  std::vector<double> squared_radii;
+  for (const double radius : spheres.radii) squared_radii.push_back(radius * radius);
+  const std::vector<double> squares = squares_of_classes(squared_radii);
+  radii_ = squares.size();
+  for (int degree = 0; degree <= spheres.order; ++degree)
+    for (const double square : squares) classes_.push_back({.degree = degree, .radius = std::sqrt(square)});
+  for (const double square : squared_radii) {
+    for (const double own : squares) {  // polynomials of Lagrange
+      double share = 1;
+      for (const double other : squares)
+        if (other != own) share *= (square - other) / (own - other);
+      shares_.push_back(share);
+    }
+  }
+}
+
+MemoryField::MemoryField(const FluidMemory& fluid, const ImagedSpheres& spheres,
+                         const std::array<int, 3>& points, const std::array<double, 3>& exponent,
+                         const MeshTransform& transform)
+    : fluid_(fluid), transform_(transform), scale_(1 / (double(points[0]) * points[1] * points[2])) {
+  set_classes(spheres);
   Vec3 wave;
   cutoff_ = INFINITY;
   for (int a = 0; a < 3; ++a) {
-    wave[a] = 2 * std::numbers::pi / law.lengths[a];
-    cutoff_ = std::min(cutoff_, wave[a] * (n[a] / 3.0) * (1 - 1e-12));
+    wave[a] = 2 * std::numbers::pi / spheres.lengths[a];
+    cutoff_ = std::min(cutoff_, wave[a] * (points[a] / 3.0) * (1 - 1e-12));
   }
-  const double scale = 1 / (double(n[0]) * n[1] * n[2]);
-  const double diffusion = law.viscosity / law.fluid.density * law.fluid.step;  // nu h
+  const double diffusion = spheres.viscosity / fluid.density * fluid.step;  // nu h
   transform.for_each_wave([&](std::ptrdiff_t place, int i, int j, int l) {
     const Vec3 k(i * wave[0], j * wave[1], l * wave[2]);
     const double k2 = k.squaredNorm();
     if (k2 == 0) has_mean_ = true;
     if (k2 == 0 || k2 > cutoff_ * cutoff_) return;
-    for (const SourceClass& each : law.classes)
+    for (const SourceClass& each : classes_)
       form_factors_.push_back(form_factor(each.degree, std::sqrt(k2) * each.radius));
     const StepFactors step = step_factors(diffusion * k2);
-    double exponent = 0;
-    for (int a = 0; a < 3; ++a) exponent += law.exponent[a] * k[a] * k[a];
-    const double window = std::exp(exponent);
+    double squares = 0;
+    for (int a = 0; a < 3; ++a) squares += exponent[a] * k[a] * k[a];
+    const double window = std::exp(squares);
     modes_.push_back({.place = place,
                       .k = k,
                       .window = window,
-                      .unit = scale * window / (law.viscosity * k2),
+                      .unit = scale_ * window / (spheres.viscosity * k2),
                       .decay = step.decay,
                       .delay = step.delay,
                       .ramp = step.ramp});
   });
-  for (auto* fields : {&steady_, &remaining_flow_, &previous_stress_})
+  for (auto* fields : {&steady_, &flow_, &remaining_flow_, &previous_stress_})
     fields->assign(modes_.size(), Velocity::Zero());
 }
 
@@ -97,48 +130,56 @@ void MemoryField::start() {
 }
 
 void MemoryField::end_step(const Vec3& mean_flow) {
-  std::vector<Velocity> flow;
-  if (law_.fluid.has_reynolds_stress) flow.resize(modes_.size());
+  mean_flow_ = mean_flow;
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Mode& mode = modes_[m];
-    if (!flow.empty()) flow[m] = remaining_flow_[m] + (1 - mode.delay) * steady_[m];
+    flow_[m] = remaining_flow_[m] + (1 - mode.delay) * steady_[m];
     remaining_flow_[m] = mode.decay * remaining_flow_[m] + mode.delay * (1 - mode.decay) * steady_[m];
   }
-  if (law_.fluid.has_reynolds_stress) add_reynolds_stress(flow, mean_flow);
+  if (fluid_.has_reynolds_stress) add_reynolds_stress();
 }
 
-void MemoryField::add_reynolds_stress(std::span<const Velocity> flow, const Vec3& mean_flow) {
+void MemoryField::set_remainder(std::array<FftwArray, 3>& values) const {
+  for (int c = 0; c < 3; ++c) {
+    std::fill_n(values[c].get(), transform_.reals(), 0.0);
+    for (std::size_t m = 0; m < modes_.size(); ++m)
+      as_complex(values[c])[modes_[m].place] = modes_[m].window * (flow_[m][c] - steady_[m][c]);
+    if (has_mean_) as_complex(values[c])[0] = mean_flow_[c];
+  }
+}
+
+void MemoryField::add_reynolds_stress() {
   for (FftwArray& component : velocity_and_curl_) {
     if (!component) component = transform_.array();
     std::fill_n(component.get(), transform_.reals(), 0.0);
   }
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Vec3& k = modes_[m].k;
+    const Velocity& flow = flow_[m];
     for (int c = 0; c < 3; ++c) {
       const int d = (c + 1) % 3, e = (c + 2) % 3;
-      as_complex(velocity_and_curl_[c])[modes_[m].place] = flow[m][c];
+      as_complex(velocity_and_curl_[c])[modes_[m].place] = flow[c];
       as_complex(velocity_and_curl_[3 + c])[modes_[m].place] =
-          Complex(0, 1) * (k[d] * flow[m][e] - k[e] * flow[m][d]);
+          Complex(0, 1) * (k[d] * flow[e] - k[e] * flow[d]);
     }
   }
   if (has_mean_)
-    for (int c = 0; c < 3; ++c) as_complex(velocity_and_curl_[c])[0] = mean_flow[c];
+    for (int c = 0; c < 3; ++c) as_complex(velocity_and_curl_[c])[0] = mean_flow_[c];
   for (const FftwArray& component : velocity_and_curl_) transform_.backward(component);
   for (std::ptrdiff_t p = 0; p < transform_.reals(); ++p) {
     const Vec3 u(velocity_and_curl_[0][p], velocity_and_curl_[1][p], velocity_and_curl_[2][p]),
         curl(velocity_and_curl_[3][p], velocity_and_curl_[4][p], velocity_and_curl_[5][p]);
-    const Vec3 force = -law_.fluid.density * curl.cross(u);
+    const Vec3 force = -fluid_.density * curl.cross(u);
     for (int c = 0; c < 3; ++c) velocity_and_curl_[c][p] = force[c];
   }
   for (int c = 0; c < 3; ++c) transform_.forward(velocity_and_curl_[c]);
-  const double scale = 1 / (double(law_.points[0]) * law_.points[1] * law_.points[2]);
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Mode& mode = modes_[m];
     Velocity stress;
-    for (int c = 0; c < 3; ++c) stress[c] = scale * as_complex(velocity_and_curl_[c])[mode.place];
+    for (int c = 0; c < 3; ++c) stress[c] = scale_ * as_complex(velocity_and_curl_[c])[mode.place];
     stress = transverse(mode.k, stress);
-    remaining_flow_[m] += law_.fluid.step / law_.fluid.density *
-                          (mode.delay * stress + mode.ramp * (stress - previous_stress_[m]));
+    remaining_flow_[m] +=
+        fluid_.step / fluid_.density * (mode.delay * stress + mode.ramp * (stress - previous_stress_[m]));
     previous_stress_[m] = stress;
   }
 }

@@ -1,32 +1,44 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/fluid_memory.hpp"
+#include "imaged_spheres.hpp"
 #include "mesh_transform.hpp"
-#include "source_classes.hpp"
 
 namespace beadswim {
+
+/// Sources of one degree of spheres of one radius, which have one form factor.
+struct SourceClass {
+  int degree = 0;
+  double radius = 0;
+};
 
 /// Memory of the fluid in a periodic box (fluid_memory.hpp): its Fourier modes up to a cutoff wavenumber, on
 /// the mesh of the forces. Each rank has the modes of its part of the Fourier transform.
 ///
-/// The sources of each class (SourceClasses) are a field on the mesh.
+/// The sources of each class are a field on the mesh. If the spheres have up to four radii, these are the
+/// radii of the classes. The sources of more radii are divided among four radii by interpolation in the
+/// square of the radius, which determines form factors at low wavenumbers.
 class MemoryField {
  public:
-  struct Law {
-    FluidMemory fluid;
-    double viscosity = 0;              ///< dynamic [mass/(length time)]
-    Vec3 lengths;                      ///< edges of the periodic box [length]
-    std::array<int, 3> points{};       ///< numbers of mesh points along the axes
-    std::array<double, 3> exponent{};  ///< the Fourier transform of a window is exp(-sum exponent_a k_a^2)
-    std::vector<SourceClass> classes;
-  };
   using Values = std::span<const std::array<FftwArray, 3>>;  ///< Fourier transforms of all classes
 
-  MemoryField(const Law& law, const MeshTransform& transform);
+  /// `points`: numbers of mesh points along the axes. `exponent`: the Fourier transform of a window is
+  /// exp(-sum exponent_a k_a^2). `transform` must live as long as the object.
+  MemoryField(const FluidMemory& fluid, const ImagedSpheres& spheres, const std::array<int, 3>& points,
+              const std::array<double, 3>& exponent, const MeshTransform& transform);
+
+  const std::vector<SourceClass>& classes() const { return classes_; }
+  /// Returns the share of a class in the source of a sphere of this degree. The shares of all classes of a
+  /// degree sum to 1, their shares times their squared radii to the squared radius of the sphere.
+  double share(std::size_t of_class, int sphere, int degree) const {
+    if (classes_[of_class].degree != degree) return 0;
+    return shares_[sphere * radii_ + of_class % radii_];
+  }
 
   /// Returns the cutoff: two thirds of the largest wavenumber of the mesh, so that products of two fields
   /// have no aliases below it.
@@ -42,6 +54,9 @@ class MemoryField {
   /// Ends a time step. The forces that were read act at its end. `mean_flow`: velocity of the mode k = 0
   /// [length/time].
   void end_step(const Vec3& mean_flow);
+  /// Sets the flow at the end of the last step that its forces would not cause in a steady fluid, w, with the
+  /// mean flow; zero before the first step.
+  void set_remainder(std::array<FftwArray, 3>& values) const;
 
   /// State of the modes of this rank, in the order of the modes of all ranks.
   std::vector<double> state() const;
@@ -57,15 +72,22 @@ class MemoryField {
     double decay, delay;   ///< E, phi
     double ramp;           ///< (1 - phi)/(nu k^2 h)
   };
-  void add_reynolds_stress(std::span<const Velocity> flow, const Vec3& mean_flow);
+  void set_classes(const ImagedSpheres& spheres);
+  void add_reynolds_stress();
 
-  Law law_;
+  FluidMemory fluid_;
   const MeshTransform& transform_;
+  double scale_;                      ///< 1/number of mesh points
+  std::size_t radii_ = 0;             ///< number of radii of classes
+  std::vector<SourceClass> classes_;  ///< for each degree, all radii
+  std::vector<double> shares_;        ///< of each sphere, for each radius
   double cutoff_ = 0;
   bool has_mean_ = false;  ///< true if this rank has the mode k = 0
   std::vector<Mode> modes_;
   std::vector<double> form_factors_;       ///< form factors of all classes, for each mode
   std::vector<Velocity> steady_;           ///< steady flow of the forces
+  std::vector<Velocity> flow_;             ///< flow at the end of the last step
+  Vec3 mean_flow_ = Vec3::Zero();          ///< at the end of the last step
   std::vector<Velocity> remaining_flow_;   ///< g, flow that earlier forces leave at the end of the next step
   std::vector<Velocity> previous_stress_;  ///< Reynolds stress at the end of the step before [force/volume]
   std::array<FftwArray, 6> velocity_and_curl_;  ///< velocity and vorticity on the mesh

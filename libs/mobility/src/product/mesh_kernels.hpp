@@ -6,20 +6,20 @@
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 
-template <int P, int order>
-BEADSWIM_KERNEL void spread_of(const WindowMesh& mesh, const WindowBeads& beads, const double* sources,
-                               double* const* onto) {
+/// `quads`: vectors in a row of a padded window.
+template <int quads, int order>
+void spread_of(const WindowMesh& mesh, const WindowBeads& beads, const double* sources, double* const* onto) {
   constexpr int count = derivative_count(order);
-  Window<P, order> w;
+  Window<order> w;
   for (long b = 0; b < beads.count; ++b) {
     w.set_position(mesh, beads.positions + 3 * b);
     const bool wraps = w.wraps(mesh);
     for (int c = 0; c < 3; ++c) {
       double source[count];
       for (int d = 0; d < count; ++d) source[d] = sources[(3 * b + c) * count + d];
-      for (int p = 0; p < P; ++p) {
+      for (int p = 0; p < mesh.window; ++p) {
         if (w.planes[p] < 0) continue;
-        for (int q = 0; q < P; ++q) {
+        for (int q = 0; q < mesh.window; ++q) {
           double along[order + 1];  // factors of the weights along z and of their derivatives
 #pragma GCC unroll 10
           for (int d = 0; d < count; ++d) {
@@ -27,18 +27,21 @@ BEADSWIM_KERNEL void spread_of(const WindowMesh& mesh, const WindowBeads& beads,
             const double factor = source[d] * w.weight[i][0][p] * w.weight[j][1][q];
             along[k] = i + j == 0 ? factor : along[k] + factor;
           }
-          const auto value = [&](int s) __attribute__((always_inline)) {
-            double sum = along[0] * w.weight[0][2][s];
-            for (int k = 1; k <= order; ++k) sum += along[k] * w.weight[k][2][s];
+          const auto values = [&](int g) __attribute__((always_inline)) {
+            Quad sum = along[0] * load_as<Quad>(w.weight[0][2] + quad * g);
+            for (int k = 1; k <= order; ++k) sum += along[k] * load_as<Quad>(w.weight[k][2] + quad * g);
             return sum;
           };
           double* const row = onto[c] + w.row(mesh, p, q);
           if (wraps) {
-            for (int s = 0; s < P; ++s) row[w.wrapped(w.first[2] + s, mesh.points[2])] += value(s);
+            double at_columns[quad * quads];
+            for (int g = 0; g < quads; ++g) store_as(at_columns + quad * g, values(g));
+#pragma GCC unroll 1
+            for (int s = 0; s < mesh.window; ++s) row[w.columns[s]] += at_columns[s];
           } else {
             double* const at = row + w.first[2];
-#pragma GCC ivdep
-            for (int s = 0; s < P; ++s) at[s] += value(s);
+#pragma GCC unroll 7
+            for (int g = 0; g < quads; ++g) store_as(at + quad * g, load_as<Quad>(at + quad * g) + values(g));
           }
         }
       }
@@ -46,72 +49,78 @@ BEADSWIM_KERNEL void spread_of(const WindowMesh& mesh, const WindowBeads& beads,
   }
 }
 
-template <int P, int order>
-BEADSWIM_KERNEL void gather_of(const WindowMesh& mesh, const WindowBeads& beads, int components,
-                               const double* const* from, double* flows) {
-  constexpr int count = derivative_count(order);
+template <int quads, int order>
+void gather_of(const WindowMesh& mesh, const WindowBeads& beads, int components, const double* const* from,
+               double* flows) {
+  constexpr int count = derivative_count(order), pairs = (order + 1) * (order + 2) / 2;
   const auto across = [](int i, int j) { return i * (2 * order + 3 - i) / 2 + j; };
-  Window<P, order> w;
+  Window<order> w;
+  double at_columns[quad * quads]{};  // values of a row that wraps
   for (long b = 0; b < beads.count; ++b) {
     w.set_position(mesh, beads.positions + 3 * b);
     const bool wraps = w.wraps(mesh);
     for (int c = 0; c < components; ++c) {
       // Sums over the window points of the first two axes, weighted by the derivatives (i, j) along them.
-      double along[(order + 1) * (order + 2) / 2][P]{};
-      for (int p = 0; p < P; ++p) {
+      Quad sums[pairs][quads]{};
+      for (int p = 0; p < mesh.window; ++p) {
         if (w.planes[p] < 0) continue;
-        for (int q = 0; q < P; ++q) {
+        for (int q = 0; q < mesh.window; ++q) {
           const double* const row = from[c] + w.row(mesh, p, q);
-          const auto add = [&](const auto& value) __attribute__((always_inline)) {
-#pragma GCC unroll 5
-            for (int i = 0; i <= order; ++i) {
-#pragma GCC unroll 5
-              for (int j = 0; j <= order - i; ++j) {
-                const double weight = w.weight[i][0][p] * w.weight[j][1][q];
-#pragma GCC ivdep
-                for (int s = 0; s < P; ++s) along[across(i, j)][s] += weight * value(s);
-              }
-            }
-          };
+          const double* at = row + w.first[2];
           if (wraps) {
-            add([&](int s) { return row[w.wrapped(w.first[2] + s, mesh.points[2])]; });
-          } else {
-            add([at = row + w.first[2]](int s) { return at[s]; });
+#pragma GCC unroll 1
+            for (int s = 0; s < mesh.window; ++s) at_columns[s] = row[w.columns[s]];
+            at = at_columns;
+          }
+          Quad values[quads];
+#pragma GCC unroll 7
+          for (int g = 0; g < quads; ++g) values[g] = load_as<Quad>(at + quad * g);
+#pragma GCC unroll 5
+          for (int i = 0; i <= order; ++i) {
+#pragma GCC unroll 5
+            for (int j = 0; j <= order - i; ++j) {
+              const double weight = w.weight[i][0][p] * w.weight[j][1][q];
+#pragma GCC unroll 7
+              for (int g = 0; g < quads; ++g) sums[across(i, j)][g] += weight * values[g];
+            }
           }
         }
       }
+      double along[pairs][quad * quads];
+      for (int k = 0; k < pairs; ++k)
+        for (int g = 0; g < quads; ++g) store_as(along[k] + quad * g, sums[k][g]);
       // The window depends on mesh point minus bead position: odd derivatives by the bead position have the
       // opposite sign.
       double* const flow = flows + (components * b + c) * count;
       for (int d = 0; d < count; ++d) {
         const auto& [i, j, k] = derivative_table.degree[d];
         double sum = 0;
-        for (int s = 0; s < P; ++s) sum += along[across(i, j)][s] * w.weight[k][2][s];
+        for (int s = 0; s < mesh.window; ++s) sum += along[across(i, j)][s] * w.weight[k][2][s];
         flow[d] += derivative_table.order[d] % 2 == 0 ? sum : -sum;
       }
     }
   }
 }
 
+using Spread = void (*)(const WindowMesh&, const WindowBeads&, const double*, double* const*);
+template <int order>
+constexpr Spread spreads[]{spread_of<2, order>, spread_of<3, order>, spread_of<4, order>,
+                           spread_of<5, order>, spread_of<6, order>, spread_of<7, order>};
+using Gather = void (*)(const WindowMesh&, const WindowBeads&, int, const double* const*, double*);
+template <int order>
+constexpr Gather gathers[]{gather_of<2, order>, gather_of<3, order>, gather_of<4, order>,
+                           gather_of<5, order>, gather_of<6, order>, gather_of<7, order>};
+
 void spread(int order, const WindowMesh& mesh, const WindowBeads& beads, const double* sources,
             double* const* onto) {
-  with_constant<0, 1, 2>(
-      order, [&]<int n>() __attribute__((always_inline)) {
-        with_constant<4, 2, WindowMesh::max_points>(
-            mesh.window, [&]<int P>()
-                             __attribute__((always_inline)) { spread_of<P, n>(mesh, beads, sources, onto); });
-      });
+  constexpr const Spread* by_order[]{spreads<0>, spreads<1>, spreads<2>};
+  by_order[order][padded(mesh.window) / quad - 2](mesh, beads, sources, onto);
 }
 
 void gather(int order, const WindowMesh& mesh, const WindowBeads& beads, int components,
             const double* const* from, double* flows) {
-  with_constant<0, 1, 4>(
-      order, [&]<int n>() __attribute__((always_inline)) {
-        with_constant<4, 2, WindowMesh::max_points>(
-            mesh.window, [&]<int P>() __attribute__((always_inline)) {
-              gather_of<P, n>(mesh, beads, components, from, flows);
-            });
-      });
+  constexpr const Gather* by_order[]{gathers<0>, gathers<1>, gathers<2>, gathers<3>, gathers<4>};
+  by_order[order][padded(mesh.window) / quad - 2](mesh, beads, components, from, flows);
 }
 
 void multiply_waves(const WaveRow& row, int fields, const FieldFactors* factors, double* const* values) {

@@ -3,9 +3,12 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <numeric>
 #include <utility>
 
+#include "beadswim/core/cell_list.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/mobility/near_field.hpp"
 #include "grand_mobility.hpp"
 
@@ -15,6 +18,13 @@ namespace {
 /// Smallest number of spheres for which a mesh is used in open space. For fewer spheres and forces alone, a
 /// sum over all pairs takes no longer.
 constexpr std::size_t min_spheres_on_mesh = 1000;
+
+/// Throws InputError if an array does not have the number of elements that the spheres need.
+void check_size(const char* array, std::size_t size, std::size_t needed) {
+  if (size != needed)
+    throw InputError("mobility",
+                     fmt::format("the list of {} has {} elements; the spheres need {}", array, size, needed));
+}
 
 void check(const MobilityScene& scene) {
   if (scene.radii.empty())
@@ -37,6 +47,12 @@ void check(const MobilityScene& scene) {
   if (scene.box && (scene.half_space || !scene.flow.is_zero()))
     throw InputError("mobility",
                      "a half-space or a background flow is incompatible with a box; leave the box out");
+  for (const int first : scene.lines)
+    if (first < 0 || first + 3 > std::ssize(scene.radii))
+      throw InputError("mobility",
+                       fmt::format("three spheres on a line from index {} on go beyond the {} spheres; give "
+                                   "the index of the first of the three",
+                                   first, scene.radii.size()));
   if (!scene.box) return;
   for (const double length : scene.box->lengths)
     if (!(length > 0 && std::isfinite(length)))
@@ -68,10 +84,11 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
 std::optional<EwaldPlan> plan_for(const MobilityScene& scene, std::span<const Vec3> positions,
                                   const Communicator& communicator) {
   check(scene);
+  check_size("positions", positions.size(), scene.radii.size());
   if (!scene.box && scene.radii.size() < min_spheres_on_mesh) return std::nullopt;
   EwaldPlan plan = plan_ewald(ewald_scene(scene, positions));
   // Roundoff may differ between processors, so all ranks use the plan of rank 0.
-  MPI_Bcast(&plan, sizeof(EwaldPlan), MPI_BYTE, 0, communicator.get());
+  if (communicator.size() > 1) MPI_Bcast(&plan, sizeof(EwaldPlan), MPI_BYTE, 0, communicator.get());
   return plan;
 }
 
@@ -85,6 +102,21 @@ void add_velocities(double factor, std::span<const double> flow, std::span<Vec3>
   const std::size_t count = flow.size() / velocities.size();
   for (std::size_t b = 0; b < velocities.size(); ++b)
     for (int a = 0; a < 3; ++a) velocities[b][a] += factor * flow[count * b + a];
+}
+
+/// Returns the index of the sphere that contains each point; -1 if there is none.
+std::vector<int> spheres_around(const MobilityScene& scene, std::span<const Vec3> positions,
+                                std::span<const Vec3> points) {
+  const CellList cells(positions, *std::ranges::max_element(scene.radii), mirrored_lengths(scene.box));
+  std::vector<int> spheres(points.size(), -1);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    cells.visit_neighbours(points[p], [&](std::size_t sphere) {
+      if (nearest_separation(positions[sphere], points[p], scene.box).norm() < scene.radii[sphere])
+        spheres[p] = static_cast<int>(sphere);
+      return spheres[p] < 0;
+    });
+  }
+  return spheres;
 }
 
 }  // namespace
@@ -101,14 +133,20 @@ struct Mobility::Parts {
   std::optional<EwaldPlan> plan;
   GrandMobility matrix{scene, plan, communicator};
   std::optional<NearField> near_field{};
-  std::optional<NearMap> near_map{};  ///< map S of the forces at the positions
+  std::optional<NearMap> near_map{};  ///< at the positions
+  std::optional<EwaldPlan> plan_with_stresslets{};
+  std::optional<GrandMobility> matrix_with_stresslets{};  ///< nullopt until forces induce stresslets
+  bool has_stresslets = false;  ///< true if forces at the positions induce stresslets
   std::vector<Vec3> positions{};
   double background_power = 0;           ///< power of the background flow's strain on all spheres, each alone
   std::vector<double> moment_history{};  ///< moments at the end of the last step, and of the step before
+  std::vector<double> applied_moments{};  ///< Mobility::moments()
   std::vector<double> moments_in_step{};  ///< moments that the last solution with memory has found
 
   std::size_t size() const { return matrix.moments_per_sphere() * scene.radii.size(); }
   bool has_moments() const { return highest_moment(scene) > 0; }
+  GrandMobility& present_matrix() { return has_stresslets ? *matrix_with_stresslets : matrix; }
+  void add_corrections();
   /// Returns true if the product contains a background flow.
   bool has_background(FlowPart part) const { return part == FlowPart::all && !scene.flow.is_zero(); }
   std::vector<double> projected_background(std::span<const Vec3> places) const;
@@ -125,7 +163,7 @@ Mobility::Mobility(MobilityScene scene, std::span<const Vec3> positions, const C
   const std::optional<EwaldPlan> plan = plan_for(scene, positions, communicator);
   parts_.reset(new Parts{.scene = scene, .communicator = communicator, .plan = plan});
   if (scene.model == MobilityModel::rpy_near)
-    parts_->near_field.emplace(scene.radii, scene.lines, scene.box, scene.half_space);
+    parts_->near_field.emplace(scene.radii, scene.lines, scene.viscosity, scene.box, scene.half_space);
   // The strain, and so its power, does not depend on the positions.
   const std::vector<double> background =
       parts_->projected_background(std::vector<Vec3>(scene.radii.size(), Vec3::Zero()));
@@ -136,13 +174,26 @@ Mobility::Mobility(MobilityScene scene, std::span<const Vec3> positions, const C
 Mobility::~Mobility() = default;
 
 const std::optional<EwaldPlan>& Mobility::plan() const {
-  return parts_->plan;
+  return parts_->has_stresslets ? parts_->plan_with_stresslets : parts_->plan;
 }
 
 void Mobility::set_positions(std::span<const Vec3> positions) {
+  check_size("positions", positions.size(), parts_->scene.radii.size());
   parts_->positions.assign(positions.begin(), positions.end());
-  parts_->matrix.set_positions(positions);
-  if (parts_->near_field) parts_->near_map = parts_->near_field->at(positions);
+  if (parts_->near_field) parts_->add_corrections();
+  parts_->present_matrix().set_positions(positions);
+}
+
+/// Sets the near map, and makes the sum over stresslets if forces induce some for the first time.
+void Mobility::Parts::add_corrections() {
+  near_map = near_field->at(positions);
+  has_stresslets = near_map->moment_order() > 0;
+  if (!has_stresslets || matrix_with_stresslets) return;
+  MobilityScene with_stresslets = scene;
+  with_stresslets.model = MobilityModel::multipole;
+  with_stresslets.moment_order = 1;
+  plan_with_stresslets = plan_for(with_stresslets, positions, communicator);
+  matrix_with_stresslets.emplace(with_stresslets, plan_with_stresslets, communicator);
 }
 
 /// Returns the projections of the background flow on the moments of spheres at `places`.
@@ -189,24 +240,27 @@ void Mobility::Parts::set_forces(std::span<const Vec3> forces, std::vector<doubl
 /// Finds the velocities, beginning with the higher moments in `moments`, and returns all moments there.
 ProductWork Mobility::Parts::solve(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part,
                                    std::vector<double>& moments) {
-  std::vector<Vec3> mapped(forces.begin(), forces.end());
-  if (near_map) near_map->map_forces(mapped);
-  set_forces(mapped, moments);
+  if (near_map)
+    moments = near_map->moments_of(forces);
+  else
+    set_forces(forces, moments);
   std::vector<double> flow(moments.size());
-  matrix.apply(moments, flow, part);
+  present_matrix().apply(moments, flow, part);
   std::ranges::fill(velocities, Vec3::Zero());
-  add_velocities(1, flow, velocities);
-  if (near_map) near_map->map_velocities(velocities);
+  if (near_map)
+    near_map->set_velocities(moments, flow, velocities);
+  else
+    add_velocities(1, flow, velocities);
   if (has_background(part)) {
     const std::vector<double> background = projected_background(positions);
-    for (std::size_t k = 0; k < flow.size(); ++k) flow[k] += background[k];
+    for (std::size_t k = 0; k < background.size(); ++k) flow[k] += background[k];
     add_velocities(1, background, velocities);
   }
   ProductWork work{.products = 1};
   if (has_moments()) work = iterate(forces, velocities, part, std::move(flow), moments);
   // Roundoff may differ between processors, so all ranks use the velocities of rank 0.
   if (has_moments() || near_map)
-    MPI_Bcast(velocities.data(), static_cast<int>(3 * velocities.size()), MPI_DOUBLE, 0, communicator.get());
+    broadcast_doubles(velocities.data()->data(), 3 * velocities.size(), communicator);
   return work;
 }
 
@@ -233,7 +287,7 @@ ProductWork Mobility::Parts::iterate(std::span<const Vec3> forces, std::span<Vec
                                      std::vector<double> flow, std::vector<double>& moments) {
   // Roundoff may differ between processors, so all ranks use the numbers of rank 0.
   const auto from_root = [&](double value) {
-    MPI_Bcast(&value, 1, MPI_DOUBLE, 0, communicator.get());
+    broadcast_doubles(&value, 1, communicator);
     return value;
   };
   ConjugateGradients cg;
@@ -244,7 +298,10 @@ ProductWork Mobility::Parts::iterate(std::span<const Vec3> forces, std::span<Vec
   ProductWork work{.products = 1};
   for (;; ++work.iterations) {
     work.residual = cg.square == 0 ? 0 : std::sqrt(cg.square / from_root(power(forces, velocities, part)));
-    if (!(work.residual > residual_share * scene.tolerance)) break;  // NaN ends the loop too
+    if (!(work.residual > residual_share * scene.tolerance)) {
+      work.is_converged = !std::isnan(work.residual);
+      break;
+    }
     matrix.apply(cg.direction, flow, FlowPart::forces);
     const double curvature = from_root(dot(cg.direction, flow));
     work.is_converged = curvature > 0 && work.iterations < max_iterations;
@@ -264,9 +321,14 @@ ProductWork Mobility::Parts::iterate(std::span<const Vec3> forces, std::span<Vec
 }
 
 ProductWork Mobility::apply(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part) {
+  check_size("forces", forces.size(), parts_->scene.radii.size());
+  check_size("velocities", velocities.size(), parts_->scene.radii.size());
   std::vector<double> moments(parts_->size(), 0.0);
-  if (part == FlowPart::forces || !parts_->matrix.has_memory())
-    return parts_->solve(forces, velocities, part, moments);
+  if (part == FlowPart::forces || !parts_->matrix.has_memory()) {
+    const ProductWork work = parts_->solve(forces, velocities, part, moments);
+    parts_->applied_moments = std::move(moments);
+    return work;
+  }
   const std::vector<double>& history = parts_->moment_history;
   for (std::size_t k = 0; 2 * k < history.size(); ++k)  // extrapolated from earlier steps
     moments[k] = 2 * history[k] - history[moments.size() + k];
@@ -274,12 +336,50 @@ ProductWork Mobility::apply(std::span<const Vec3> forces, std::span<Vec3> veloci
   return parts_->solve(forces, velocities, part, parts_->moments_in_step);
 }
 
+std::span<const double> Mobility::moments() const {
+  return parts_->applied_moments;
+}
+
+FlowAtPoints Mobility::flow_at(std::span<const Vec3> points, const MovingSpheres& spheres) const {
+  const MobilityScene& scene = parts_->scene;
+  const std::size_t count = scene.radii.size();
+  const bool has_stresslets = parts_->near_field && spheres.moments.size() > 3 * count;
+  const GrandMobility& matrix = has_stresslets ? *parts_->matrix_with_stresslets : parts_->matrix;
+  check_size("positions", spheres.positions.size(), count);
+  check_size("velocities", spheres.velocities.size(), count);
+  check_size("moments", spheres.moments.size(), matrix.moments_per_sphere() * count);
+  FlowAtPoints flow{.velocities = std::vector<Vec3>(points.size(), Vec3::Zero()),
+                    .spheres = spheres_around(scene, spheres.positions, points)};
+  if (points.empty()) return flow;
+  std::vector<Vec3> all(spheres.positions.begin(), spheres.positions.end());
+  const Eigen::AlignedBox3d bounds = bounding_box(points);
+  all.insert(all.end(), {bounds.min(), bounds.max()});
+  EwaldScene ewald = ewald_scene(scene, all);
+  ewald.moment_order = has_stresslets ? 1 : highest_moment(scene);
+  ewald.points = static_cast<double>(points.size());
+  std::optional<EwaldPlan> plan = plan_flow(ewald);
+  // Roundoff may differ between processors, so all ranks use the plan of rank 0.
+  if (parts_->communicator.size() > 1)
+    MPI_Bcast(&plan, sizeof(plan), MPI_BYTE, 0, parts_->communicator.get());
+  matrix.add_flow_at(points, spheres.positions, spheres.moments, plan, flow.spheres, flow.velocities);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (flow.spheres[p] >= 0)
+      flow.velocities[p] = spheres.velocities[flow.spheres[p]];
+    else if (!scene.flow.is_zero())
+      flow.velocities[p] += scene.flow.at(points[p]);
+  }
+  return flow;
+}
+
 void Mobility::project_flow_of(std::span<const double> moments, std::span<double> projections) {
+  check_size("moments", moments.size(), parts_->size());
+  check_size("projections", projections.size(), parts_->size());
   parts_->matrix.apply(moments, projections, FlowPart::forces);
 }
 
 /// Solves for the moments at the end of a time step. Returns them, and adds the work to `work`.
 std::vector<double> Mobility::Parts::moments_at_end_of_step(std::span<const Vec3> forces, ProductWork& work) {
+  check_size("forces", forces.size(), scene.radii.size());
   std::vector<double> moments = moments_in_step;
   moments.resize(size(), 0.0);
   if (!has_moments()) {
@@ -296,29 +396,63 @@ std::vector<double> Mobility::Parts::moments_at_end_of_step(std::span<const Vec3
 
 ProductWork Mobility::start(std::span<const Vec3> forces) {
   ProductWork work;
-  if (parts_->matrix.has_memory()) parts_->matrix.start(parts_->moments_at_end_of_step(forces, work));
+  if (!parts_->matrix.has_memory()) return work;
+  parts_->applied_moments = parts_->moments_at_end_of_step(forces, work);
+  parts_->matrix.start(parts_->applied_moments);
   return work;
 }
 
 ProductWork Mobility::end_step(std::span<const Vec3> forces, const Vec3& mean_flow) {
   ProductWork work;
-  if (parts_->matrix.has_memory())
-    parts_->matrix.end_step(parts_->moments_at_end_of_step(forces, work), mean_flow);
+  if (!parts_->matrix.has_memory()) return work;
+  parts_->applied_moments = parts_->moments_at_end_of_step(forces, work);
+  parts_->matrix.end_step(parts_->applied_moments, mean_flow);
   return work;
 }
 
-MemoryState Mobility::memory_state() const {
-  if (!parts_->matrix.has_memory()) return {};
-  return {.modes = parts_->matrix.modes().state(),
-          .unresolved = parts_->matrix.unresolved().state(),
-          .moments = parts_->moment_history};
+namespace {
+
+/// Returns how many of the numbers of the Fourier modes each rank has.
+std::vector<int> counts_by_rank(const std::vector<double>& own_modes, const Communicator& communicator) {
+  std::vector<int> counts(communicator.size());
+  const int count = static_cast<int>(own_modes.size());
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator.get());
+  return counts;
 }
 
-void Mobility::restore(const MemoryState& state) {
-  if (!parts_->matrix.has_memory()) return;
-  parts_->matrix.modes().restore(state.modes);
-  parts_->matrix.unresolved().restore(state.unresolved);
-  parts_->moment_history = state.moments;
+}  // namespace
+
+// The memory is a list of the modes of all ranks, of the flow that the mesh does not resolve, and of the
+// moments in earlier steps. All ranks have the last two.
+std::vector<double> Mobility::gather_memory() const {
+  const Communicator& communicator = parts_->communicator;
+  const std::vector<double> modes = parts_->matrix.modes().state();
+  const std::vector<int> counts = counts_by_rank(modes, communicator);
+  std::vector<int> starts(counts.size());
+  std::exclusive_scan(counts.begin(), counts.end(), starts.begin(), 0);
+  std::vector<double> memory(communicator.is_root() ? starts.back() + counts.back() : 0);
+  MPI_Gatherv(modes.data(), static_cast<int>(modes.size()), MPI_DOUBLE, memory.data(), counts.data(),
+              starts.data(), MPI_DOUBLE, 0, communicator.get());
+  if (!communicator.is_root()) return {};
+  for (const std::vector<double>& list : {parts_->matrix.unresolved().state(), parts_->moment_history})
+    memory.insert(memory.end(), list.begin(), list.end());
+  return memory;
+}
+
+void Mobility::restore_memory(std::span<const double> memory) {
+  const std::vector<int> counts = counts_by_rank(parts_->matrix.modes().state(), parts_->communicator);
+  const auto own = counts.begin() + parts_->communicator.rank();
+  const std::size_t start = std::reduce(counts.begin(), own), end = std::reduce(counts.begin(), counts.end());
+  const std::size_t spheres = parts_->matrix.unresolved().state().size();
+  if (memory.size() != end + spheres + parts_->moment_history.size())
+    throw SolverError(
+        fmt::format("the memory of the fluid in the checkpoint differs in size from that of the scene; begin "
+                    "without {}",
+                    Setting::restart));
+  parts_->matrix.modes().restore(memory.subspan(start, *own));
+  const auto unresolved = memory.subspan(end, spheres), moments = memory.subspan(end + spheres);
+  parts_->matrix.unresolved().restore({unresolved.begin(), unresolved.end()});
+  parts_->moment_history.assign(moments.begin(), moments.end());
 }
 
 }  // namespace beadswim

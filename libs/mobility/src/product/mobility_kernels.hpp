@@ -12,6 +12,15 @@
 
 namespace beadswim {
 
+/// Highest n of ((1/r) d/dr)^n for a pair of spheres, and for a sphere and the mirror point of another one.
+constexpr int highest_of_pairs = 6, highest_of_mirrors = 8;
+/// Returns the highest n that the flow of sources of this order at their receivers needs.
+constexpr int highest_radial(int order, Receivers receivers) {
+  return receivers == Receivers::points ? order + 3 : 2 * order + 4;
+}
+/// Largest number of elements of a source or of a flow (force_moments.hpp).
+constexpr int max_elements = 3 * derivative_count(2);
+
 /// Spheres sorted by the cells of a CellList, with one array per coordinate.
 struct SortedSpheres {
   const double *x, *y, *z;
@@ -48,13 +57,13 @@ struct PairTable {
 /// plane of the mesh is perpendicular to the first axis, a row in it is parallel to the third axis. Each rank
 /// owns consecutive planes. Mesh indices are periodic.
 struct WindowMesh {
-  static constexpr int max_points = 26;
-  int window = 0;                   ///< mesh points per axis that receive the Gaussian; even
+  static constexpr int max_points = 28;
+  int window = 0;                   ///< mesh points per axis that receive the Gaussian, 6 to 26; even
   int points[3]{}, row_length = 0;  ///< size of the mesh; length of a row in memory
   int first_plane = 0, planes = 0;  ///< planes that this rank owns
   double origin[3]{}, inverse_spacing[3]{}, inverse_points[3]{};
   double decay[3]{}, height[3]{};    ///< Gaussian height exp(-decay d^2), d: distance [mesh spacing]
-  double decay_at[3][max_points]{};  ///< exp(-decay p^2), p = 0, 1, ...
+  double decay_at[3][max_points]{};  ///< exp(-decay p^2), p = 0, 1, ...; 0 beyond the window
 };
 
 /// Positions of `count` beads or points, three coordinates each [length].
@@ -64,14 +73,14 @@ struct WindowBeads {
 };
 
 /// Up to 8 spheres, one in each lane, whose flow at a point or at another sphere is needed. The vector r is
-/// the position of the receiver minus the position of the sphere. Unused lanes contain a copy of another
-/// sphere and sources of zero.
+/// the position of the receiver minus the position of the sphere. Unused lanes have sources of zero.
 struct SourceLanes {
   double r[3][lanes];
   /// ((1/r) d/dr)^n of chi, of its Laplacian and of its second Laplacian, divided by 8 pi eta. chi[0] is not
   /// used.
-  double chi[9][lanes], laplacian[9][lanes], bilaplacian[7][lanes];
-  double source[30][lanes];
+  double chi[highest_of_mirrors + 1][lanes], laplacian[highest_of_mirrors + 1][lanes];
+  double bilaplacian[highest_of_mirrors - 1][lanes];
+  double source[max_elements][lanes];
   double size[3][lanes];  ///< c_l a^2 of the spheres
 };
 
@@ -82,9 +91,9 @@ struct OneSphere {
   double* flow;  ///< the flow of the other spheres is added to it
 };
 
-/// Sum of the flows of many spheres at a mirror point, with one part of the sum in each lane.
+/// Sum of the flows of many spheres at a point or a mirror point, with one part of the sum in each lane.
 struct MirrorFlowParts {
-  double velocity[3][derivative_count(2)][lanes]{};
+  double along[2][derivative_count(2)][lanes]{};
   double across[MirrorFlow::max_count][lanes]{}, pressure[MirrorFlow::max_count][lanes]{};
 };
 
@@ -116,8 +125,10 @@ struct MobilityKernels {
   /// Evaluates the flows of all pairs in both directions, for moments up to `order`, 1 or 2. Sets `at_others`
   /// to the flow of the one sphere at the other spheres.
   void (*moment_pairs)(int order, const OneSphere&, const SourceLanes& others, double (*at_others)[lanes]);
-  /// Adds the flow of the sources at the mirror point of a sphere. `axis`: of the wall's normal.
-  void (*mirror_flow)(int order, int axis, const SourceLanes&, bool has_bilaplacian, MirrorFlowParts&);
+  /// Adds the flow of the sources at a point, or at the mirror point of a sphere or a point. `axis`: of the
+  /// wall's normal.
+  void (*mirror_flow)(int order, Receivers, int axis, const SourceLanes&, bool has_bilaplacian,
+                      MirrorFlowParts&);
   /// Adds the derivatives of the windows of the beads, multiplied by `sources`, to the three meshes.
   /// `sources`: 3 * derivative_count(order) numbers per bead, for an order up to 2.
   void (*spread)(int order, const WindowMesh&, const WindowBeads&, const double* sources,

@@ -17,7 +17,7 @@ double unit(double viscosity) {
 }  // namespace
 
 MomentRadials open_radials(double r, double viscosity, int highest) {
-  MomentRadials f;
+  MomentRadials f{.highest = highest};
   double value = unit(viscosity) / r;  // ((1/r) d/dr)^n (1/r)
   for (int n = 0; n <= highest; ++n) {
     if (n < highest) f.chi[n + 1] = value;
@@ -28,7 +28,7 @@ MomentRadials open_radials(double r, double viscosity, int highest) {
 }
 
 MomentRadials near_radials(double xi, double r, double viscosity, int highest) {
-  MomentRadials f;
+  MomentRadials f{.highest = highest};
   const double x2 = xi * xi, r2 = r * r,
                bell = unit(viscosity) / std::sqrt(std::numbers::pi) * std::exp(-x2 * r2);
   double B = unit(viscosity) * std::erfc(xi * r) / r, power = 1, sign = 1;  // power: (2 xi^2)^n
@@ -45,7 +45,8 @@ MomentRadials near_radials(double xi, double r, double viscosity, int highest) {
 
 namespace {
 
-/// Boys functions F_n at T >= 0, up to n = highest_of_pairs: a series for the last, then the recursion downwards.
+/// Boys functions F_n at T >= 0, up to n = highest_of_pairs: a series for the last, then the recursion
+/// downwards.
 void boys_functions(double T, double (&F)[highest_of_pairs + 1]) {
   const double bell = std::exp(-T);
   double term = 1.0 / (2 * highest_of_pairs + 1), sum = 0;
@@ -59,11 +60,11 @@ void boys_functions(double T, double (&F)[highest_of_pairs + 1]) {
 
 }  // namespace
 
-MomentRadials far_radials(double xi, double r, double viscosity) {
+MomentRadials minus_far_radials(double xi, double r, double viscosity) {
   MomentRadials f;
-  const double x2 = xi * xi, r2 = r * r, scale = unit(viscosity) * 2 * xi / std::sqrt(std::numbers::pi);
+  const double x2 = xi * xi, r2 = r * r, scale = -unit(viscosity) * 2 * xi / std::sqrt(std::numbers::pi);
   const double bell = std::exp(-x2 * r2);
-  double F[highest_of_pairs + 1], power = scale;  // (-2 xi^2)^n 2 xi/sqrt(pi)
+  double F[highest_of_pairs + 1], power = scale;  // -(-2 xi^2)^n 2 xi/sqrt(pi)
   boys_functions(x2 * r2, F);
   for (int n = 0; n <= highest_of_pairs; ++n) {
     if (n < highest_of_pairs) f.chi[n + 1] = power * F[n];
@@ -192,10 +193,10 @@ void set_lane(SourceLanes& spheres, int lane, const Vec3& r, const MomentRadials
     spheres.r[a][lane] = r[a];
     spheres.size[a][lane] = sizes[a];
   }
-  for (int n = 0; n <= highest_of_mirrors; ++n) {
+  for (int n = 0; n <= radials.highest; ++n) {
     spheres.chi[n][lane] = radials.chi[n];
     spheres.laplacian[n][lane] = radials.laplacian[n];
-    if (n <= highest_of_mirrors - 2) spheres.bilaplacian[n][lane] = radials.bilaplacian[n];
+    if (n <= radials.highest - 2) spheres.bilaplacian[n][lane] = radials.bilaplacian[n];
   }
   for (std::size_t k = 0; k < source.size(); ++k) spheres.source[k][lane] = source[k];
 }

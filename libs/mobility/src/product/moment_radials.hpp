@@ -28,29 +28,19 @@
 
 namespace beadswim {
 
-/// Highest n of ((1/r) d/dr)^n for a pair of spheres, and for a sphere and the mirror point of another one.
-constexpr int highest_of_pairs = 6, highest_of_mirrors = 8;
-
 /// Values of ((1/r) d/dr)^n of the functions, divided by 8 pi eta, up to n = `highest`, or `highest` - 2 of
 /// the second Laplacian; chi[0] is not set.
 struct MomentRadials {
+  int highest = highest_of_pairs;
   double chi[highest_of_mirrors + 1]{}, laplacian[highest_of_mirrors + 1]{};
   double bilaplacian[highest_of_mirrors - 1]{};
-
-  MomentRadials operator-() const {
-    MomentRadials negative;
-    for (int n = 0; n <= highest_of_mirrors; ++n)
-      negative.chi[n] = -chi[n], negative.laplacian[n] = -laplacian[n];
-    for (int n = 0; n <= highest_of_mirrors - 2; ++n) negative.bilaplacian[n] = -bilaplacian[n];
-    return negative;
-  }
 };
 
 /// Radial functions at the distance r > 0 in open space [length]. viscosity: dynamic.
-MomentRadials open_radials(double r, double viscosity, int highest = highest_of_pairs);
-/// Near part at r > 0, and far part at r >= 0, of an Ewald sum with the splitting parameter xi [1/length].
-MomentRadials near_radials(double xi, double r, double viscosity, int highest = highest_of_pairs);
-MomentRadials far_radials(double xi, double r, double viscosity);
+MomentRadials open_radials(double r, double viscosity, int highest);
+/// Near part, and far part times -1, of an Ewald sum with the splitting parameter xi [1/length] at r > 0.
+MomentRadials near_radials(double xi, double r, double viscosity, int highest);
+MomentRadials minus_far_radials(double xi, double r, double viscosity);
 
 /// Radial functions of moments of the degrees l and m on two spheres of radii a and b that overlap at the
 /// distance r > 0; bilaplacian is not set.

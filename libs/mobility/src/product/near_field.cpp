@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "beadswim/core/cell_list.hpp"
+#include "near_strain.hpp"
 
 namespace beadswim {
 namespace {
@@ -64,17 +65,19 @@ Vec3 direction(const Vec3& separation) {
 }  // namespace
 
 double pair_weight(double distance) {
-  if (distance <= full_weight_distance) return 1;
-  if (distance >= pair_cutoff) return 0;
-  const double t = (distance - full_weight_distance) / (pair_cutoff - full_weight_distance);
-  return 1 - t * t * t * (10 - 15 * t + 6 * t * t);
+  return fading(distance, full_weight_distance, pair_cutoff);
 }
 
-NearField::NearField(std::vector<double> radii, std::vector<int> lines, std::optional<Box> box,
-                     std::optional<HalfSpace> half_space)
+double strain_weight(double distance) {
+  return pair_weight(distance / strain_reach);
+}
+
+NearField::NearField(std::vector<double> radii, std::vector<int> lines, double viscosity,
+                     std::optional<Box> box, std::optional<HalfSpace> half_space)
     : radii_(std::move(radii)),
       lines_(std::move(lines)),
       line_of_(radii_.size(), -1),
+      viscosity_(viscosity),
       box_(box),
       half_space_(half_space),
       lengths_(mirrored_lengths(box)) {
@@ -89,20 +92,30 @@ NearField::NearField(std::vector<double> radii, std::vector<int> lines, std::opt
   }
 }
 
-NearMap NearField::at(std::span<const Vec3> positions) const {
-  std::vector<LineLink> lines;
-  lines.reserve(lines_.size());
-  for (std::size_t line = 0; line < lines_.size(); ++line) lines.push_back(line_link(line, positions));
-  return {std::move(lines), pair_links(positions), wall_links(positions), radii_.size()};
+NearMap NearField::at(std::span<const Vec3> positions) {
+  NearLinks links{.beads = radii_.size()};
+  NearStrains strains(radii_, viscosity_, half_space_, positions, links);
+  for (std::size_t line = 0; line < lines_.size(); ++line) {
+    links.lines.push_back(line_link(line, positions));
+    for (int i = lines_[line]; i < lines_[line] + 3; ++i)
+      for (int j = i + 1; j < lines_[line] + 3; ++j) {
+        const Vec3 separation = positions[i] - positions[j];
+        const double weight = strain_weight(2 * separation.norm() / (radii_[i] + radii_[j]));
+        if (weight != 0) strains.add(i, j, separation, false, Vec3::Ones(), weight);
+      }
+  }
+  add_pairs(positions, strains, links.pairs);
+  return NearMap(std::move(links));
 }
 
-LineLink NearField::line_link(std::size_t line, std::span<const Vec3> positions) const {
+LineLink NearField::line_link(std::size_t line, std::span<const Vec3> positions) {
   const int first = lines_[line];
   const Vec3* x = &positions[first];
   const double* radius = &radii_[first];
   const std::array<double, 2> gaps{(x[1] - x[0]).norm() - radius[0] - radius[1],
                                    (x[2] - x[1]).norm() - radius[1] - radius[2]};
-  return {first, direction(x[2] - x[0]), triplet_tables_[triplet_table_of_[line]].change(gaps)};
+  const LineMap<3> map = triplet_tables_[triplet_table_of_[line]].at(gaps, strain_weight);
+  return {first, direction(x[2] - x[0]), map.map - Eigen::Matrix3d::Identity(), map.tow_defect / viscosity_};
 }
 
 NearField::Images NearField::mirror_images(std::span<const Vec3> positions) const {
@@ -111,66 +124,67 @@ NearField::Images NearField::mirror_images(std::span<const Vec3> positions) cons
   return images;
 }
 
-std::vector<PairLink> NearField::pair_links(std::span<const Vec3> positions) const {
-  std::vector<PairLink> links;
+/// Adds the corrections of all close pairs of beads, and of beads and images.
+void NearField::add_pairs(std::span<const Vec3> positions, NearStrains& strains,
+                          std::vector<PairLink>& links) {
   links.reserve(positions.size());
   const Images images = mirror_images(positions);
-  const double cutoff = pair_cutoff * *std::ranges::max_element(radii_);
+  const double cutoff = strain_reach * pair_cutoff * *std::ranges::max_element(radii_);
   const CellList cells(images.places, cutoff, lengths_);
   const std::vector<int>& order = cells.order();
   const FoldedPositions folded(images.places, order, lengths_);
   const int beads = static_cast<int>(radii_.size());
-  for (int s = 0; s < std::ssize(order); ++s)
+  const auto add = [&](int one, int other, const Vec3& separation, bool is_direct) {
+    if (is_direct && other < beads && line_of_[one] >= 0 && line_of_[one] == line_of_[other]) return;
+    const int partner = other % beads;
+    const double distance = 2 * separation.norm() / (radii_[one] + radii_[partner]);
+    const double weight = pair_weight(distance), of_strains = strain_weight(distance);
+    if (of_strains == 0) return;
+    const Vec3& mirror = images.mirrors[other / beads];
+    strains.add(one, partner, separation, other >= beads, mirror, of_strains);
+    if (weight != 0) links.push_back(pair_link(images, one, other, separation, weight));
+  };
+  for (int s = 0; s < std::ssize(order); ++s) {
+    for_each_image(Vec3::Zero(), lengths_, cutoff, [&](const Vec3& separation, bool) {
+      // One link stands for the periodic images of the bead itself on both sides.
+      const Vec3 reversed = -separation;
+      if (order[s] < beads && std::ranges::lexicographical_compare(reversed, separation))
+        add(order[s], order[s], separation, false);
+    });
     cells.for_each_range_after(s, [&](int begin, int end) {
       for (int t = begin; t < end; ++t) {
         if (!folded.are_within(cutoff, s, t)) continue;
-        const int one = order[s], other = order[t];
-        if (one >= beads && other >= beads) continue;
-        for_each_image(images.places[one] - images.places[other], lengths_, cutoff,
-                       [&](const Vec3& separation, bool is_direct) {
-                         if (!is_direct || one >= beads || other >= beads || line_of_[one] < 0 ||
-                             line_of_[one] != line_of_[other])
-                           add_pair(images, one, other, separation, links);
-                       });
+        const auto [one, other] = std::minmax(order[s], order[t]);
+        if (one >= beads) continue;
+        for_each_image(
+            images.places[one] - images.places[other], lengths_, cutoff,
+            [&](const Vec3& separation, bool is_direct) { add(one, other, separation, is_direct); });
       }
     });
-  return links;
+  }
 }
 
-/// Adds the near-field correction of two beads, or of a bead and a mirror image of a bead, to `links`. `one`
-/// and `other` are indices into Images::places.
-void NearField::add_pair(const Images& images, int one, int other, const Vec3& separation,
-                         std::vector<PairLink>& links) const {
-  const int beads = static_cast<int>(radii_.size());
-  if (one >= beads) return add_pair(images, other, one, -separation, links);
-  const int partner = other % beads;
-  const double sum = radii_[one] + radii_[partner], distance = separation.norm();
-  const double weight = pair_weight(2 * distance / sum);
-  if (weight == 0) return;
-  const Eigen::RowVector2d row = weight * pair_table(one, partner).log_map(distance - sum);
-  links.push_back({.bead = one,
-                   .partner = partner,
-                   .is_image = other >= beads,
-                   .mirror = images.mirrors[other / beads],
-                   .axis = direction(separation),
-                   .own = row[0],
-                   .other = row[1]});
+/// Returns the correction of two beads, or of a bead and a mirror image of a bead. `one` and `other` are
+/// indices into Images::places, the former of a bead.
+PairLink NearField::pair_link(const Images& images, int one, int other, const Vec3& separation,
+                              double weight) {
+  const int beads = static_cast<int>(radii_.size()), partner = other % beads;
+  const auto [map, tow_defect] =
+      pair_table(one, partner).at({separation.norm() - radii_[one] - radii_[partner]}, pair_weight);
+  const LineMatrix<2> log = log_of_pair_map(map);
+  return {.bead = one,
+          .partner = partner,
+          .is_image = other >= beads,
+          .mirror = images.mirrors[other / beads],
+          .axis = direction(separation),
+          .own = weight * log(0, 0),
+          .other = weight * log(0, 1),
+          .tow_defect = weight * tow_defect / viscosity_};
 }
 
-std::vector<WallLink> NearField::wall_links(std::span<const Vec3> positions) const {
-  std::vector<WallLink> links;
-  if (!half_space_) return links;
-  for (std::size_t b = 0; b < radii_.size(); ++b)
-    if (const double log = wall_table_.log_map(half_space_->height(positions[b]) / radii_[b]); log != 0)
-      links.push_back({static_cast<int>(b), Vec3::Unit(half_space_->axis), log});
-  return links;
-}
-
-const PairMapTable& NearField::pair_table(int bead, int partner) const {
+LineMapTable<2>& NearField::pair_table(int bead, int partner) {
   const std::array<double, 2> radii{radii_[bead], radii_[partner]};
-  const auto found = pair_tables_.find(radii);
-  return found != pair_tables_.end() ? found->second
-                                     : pair_tables_.try_emplace(radii, PairMapTable(radii)).first->second;
+  return pair_tables_.try_emplace(radii, radii).first->second;
 }
 
 }  // namespace beadswim

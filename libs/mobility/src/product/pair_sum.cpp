@@ -35,8 +35,8 @@ void PairSum::set_positions(std::span<const Vec3> positions, std::size_t receive
 struct PairSum::Work {
   std::vector<double> sources, flows;
   PairBatch batch;
-  SourceLanes pairs;
-  double at_others[30][lanes];
+  SourceLanes pairs{};
+  double at_others[max_elements][lanes];
   int count = 0;  ///< lanes in use
   int one = 0;    ///< the one sphere of the pairs
   std::array<int, lanes> other{};
@@ -127,9 +127,10 @@ void PairSum::add_pair(Work& work, int one, int other, const Vec3& d, double r) 
   if (overlaps) add_overlap(work, one, other, d);
   if (overlaps && xi_ == 0) return;  // there is no far part to subtract
   // The near part of spheres that overlap is the exact flow minus the far part.
-  const MomentRadials radials = xi_ == 0   ? open_radials(r, spheres_.viscosity)
-                                : overlaps ? -far_radials(xi_, r, spheres_.viscosity)
-                                           : near_radials(xi_, r, spheres_.viscosity);
+  const int highest = 2 * spheres_.order + 2;
+  const MomentRadials radials = xi_ == 0   ? open_radials(r, spheres_.viscosity, highest)
+                                : overlaps ? minus_far_radials(xi_, r, spheres_.viscosity)
+                                           : near_radials(xi_, r, spheres_.viscosity, highest);
   const int lane = work.count++;
   work.other[lane] = other;
   const std::size_t n = spheres_.elements();
@@ -193,24 +194,6 @@ void PairSum::flush(Work& work) const {
   for (int lane = 0; lane < work.count; ++lane)
     for (std::size_t k = 0; k < n; ++k) work.flows[n * work.other[lane] + k] += work.at_others[k][lane];
   work.count = 0;
-}
-
-void PairSum::subtract_far_flow(std::span<const double> sources, std::span<double> flows) const {
-  const std::size_t n = spheres_.elements();
-  const MomentRadials radials = far_radials(xi_, 0, spheres_.viscosity);
-  SourceLanes lane{};
-  double at_other[30][lanes];
-  const std::vector<double> none(n, 0.0);
-  std::vector<double> flow(n);
-  for (std::size_t b = 0; n * b < flows.size(); ++b) {
-    const std::array<double, 3> size = moment_sizes(spheres_.radii[b]);
-    std::ranges::fill(flow, 0.0);
-    OneSphere one{.source = none.data(), .size = {}, .flow = flow.data()};
-    std::ranges::copy(size, one.size);
-    set_lane(lane, 0, Vec3::Zero(), radials, size, sources.subspan(n * b, n));
-    best_kernels<MobilityKernels>().moment_pairs(spheres_.order, one, lane, at_other);
-    for (std::size_t k = 0; k < n; ++k) flows[n * b + k] -= flow[k];
-  }
 }
 
 }  // namespace beadswim

@@ -28,9 +28,6 @@ class PairSum {
   void add_flows(std::span<const double> sources, std::span<double> flows,
                  const Communicator& communicator) const;
 
-  /// Subtracts from `flows` the flow of each sphere at itself that the far part of the Ewald sum contains.
-  void subtract_far_flow(std::span<const double> sources, std::span<double> flows) const;
-
  private:
   struct Work;
   void add_all_pairs(Work& work, const Communicator& communicator) const;

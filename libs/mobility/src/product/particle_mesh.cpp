@@ -14,19 +14,20 @@ namespace beadswim {
 
 ParticleMesh::ParticleMesh(const EwaldPlan& plan, const ImagedSpheres& spheres,
                            const std::optional<FluidMemory>& memory,
-                           const std::optional<HalfSpace>& half_space, const Communicator& communicator)
-    : plan_(plan), spheres_(spheres), half_space_(half_space), communicator_(communicator) {
+                           const std::optional<HalfSpace>& half_space, Receivers receivers,
+                           const Communicator& communicator)
+    : plan_(plan),
+      spheres_(spheres),
+      at_points_(receivers == Receivers::points),
+      half_space_(half_space),
+      communicator_(communicator) {
   const auto [smallest, largest] = std::ranges::minmax_element(spheres.radii);
   // At mirror points the velocities of one field would contain the size of the bead there, which the wall's
   // reflection takes into account itself (wall_reflection.hpp).
-  const bool is_shared =
-      spheres.order == 0 && *smallest == *largest && !(plan.has_mirror_points && *largest > 0);
-  if (is_shared) shared_size_ = 2 * (*largest * *largest);
+  const bool is_shared = spheres.order == 0 && *smallest == *largest &&
+                         (at_points_ || !(plan.has_mirror_points && *largest > 0));
+  if (is_shared) shared_size_ = (at_points_ ? 1 : 2) * (*largest * *largest);
   if (!is_shared) fields_ = 2;
-  if (memory) {
-    classes_.emplace(spheres.radii, spheres.order);
-    fields_ = classes_->size();
-  }
   if (!is_periodic()) return;
   std::array<int, 3> points;
   for (int a = 0; a < 3; ++a) {
@@ -34,10 +35,16 @@ ParticleMesh::ParticleMesh(const EwaldPlan& plan, const ImagedSpheres& spheres,
     spacing_[a] = spheres.lengths[a] / points[a];
   }
   set_points(points);
-  if (memory) set_memory(*memory);
+  if (memory) {
+    std::array<double, 3> exponent;
+    for (int a = 0; a < 3; ++a) exponent[a] = share(a) / (8 * plan_.xi * plan_.xi);
+    memory_ = std::make_unique<MemoryField>(*memory, spheres_, points, exponent, *transform_);
+    fields_ = memory_->classes().size();
+  }
 }
 
 void ParticleMesh::set_points(const std::array<int, 3>& points) {
+  values_.clear();
   transform_ = std::make_unique<MeshTransform>(points, communicator_);
   geometry_.window = plan_.window;
   geometry_.row_length = 2 * (points[2] / 2 + 1);  // padded for transforms in place
@@ -52,9 +59,6 @@ void ParticleMesh::set_points(const std::array<int, 3>& points) {
     geometry_.height[a] = std::sqrt(decay / std::numbers::pi) / spacing_[a];
     for (int p = 0; p < plan_.window; ++p) geometry_.decay_at[a][p] = std::exp(-decay * p * p);
   }
-  values_.resize(fields_);
-  for (auto& field : values_)
-    for (FftwArray& component : field) component = transform_->array();
 }
 
 /// Returns `share`, the part of the exponent of the far part's Gaussian that the windows apply along one
@@ -65,20 +69,8 @@ double ParticleMesh::share(int axis) const {
   return 2 * xh * xh / geometry_.decay[axis];
 }
 
-void ParticleMesh::set_memory(const FluidMemory& memory) {
-  MemoryField::Law law{.fluid = memory,
-                       .viscosity = spheres_.viscosity,
-                       .lengths = spheres_.lengths,
-                       .points = {geometry_.points[0], geometry_.points[1], geometry_.points[2]},
-                       .exponent = {},
-                       .classes = classes_->classes()};
-  for (int a = 0; a < 3; ++a) law.exponent[a] = share(a) / (8 * plan_.xi * plan_.xi);
-  memory_ = std::make_unique<MemoryField>(law, *transform_);
-}
-
 /// In open space, fits the mesh to the positions of beads and mirror points.
-void ParticleMesh::fit_to(std::span<const Vec3> positions) {
-  const Eigen::AlignedBox3d bounds = bounding_box(positions);
+void ParticleMesh::fit_to(const Eigen::AlignedBox3d& bounds) {
   const Vec3 &low = bounds.min(), &high = bounds.max();
   constexpr double max_points = 1e10;
   const Vec3 wanted = 2 * ((high - low) / plan_.spacing + Vec3::Constant(plan_.window));
@@ -100,73 +92,67 @@ void ParticleMesh::fit_to(std::span<const Vec3> positions) {
   pressure_kernel_.clear();
 }
 
-/// Calls sample(place, d) for each mesh point of this rank in open space, with the vector d from a force to
-/// the point [length].
-template <class Sample>
-void ParticleMesh::for_each_displacement(const Sample& sample) const {
+/// Returns the Fourier transforms of the components of function(d), where d is the vector from a force to a
+/// mesh point in open space [length], times the volume of a mesh cell over the number of mesh points. part(z)
+/// selects the part of the complex number z that is not 0: real for an even function, imaginary for an odd
+/// one.
+template <std::size_t components, class Function, class Part>
+std::vector<std::array<double, components>> ParticleMesh::transformed(const Function& function,
+                                                                      const Part& part) const {
   const auto& n = geometry_.points;
   const auto displacement = [&](int i, int axis) {
     return (2 * i >= n[axis] ? i - n[axis] : i) * plan_.spacing;
   };
+  std::array<FftwArray, components> samples;
+  for (FftwArray& s : samples) s = transform_->array();
   for (int i = 0; i < geometry_.planes; ++i) {
     for (int j = 0; j < n[1]; ++j) {
       const std::ptrdiff_t row = (std::ptrdiff_t{i} * n[1] + j) * geometry_.row_length;
-      for (int l = 0; l < n[2]; ++l)
-        sample(row + l,
-               Vec3(displacement(geometry_.first_plane + i, 0), displacement(j, 1), displacement(l, 2)));
+      for (int l = 0; l < n[2]; ++l) {
+        const std::array<double, components> values = function(
+            Vec3(displacement(geometry_.first_plane + i, 0), displacement(j, 1), displacement(l, 2)));
+        for (std::size_t c = 0; c < components; ++c) samples[c][row + l] = values[c];
+      }
     }
   }
-}
-
-/// Returns the factor of a kernel in open space: volume of a mesh cell over number of mesh points.
-double ParticleMesh::open_scale() const {
-  const auto& n = geometry_.points;
-  return std::pow(plan_.spacing, 3) / (double(n[0]) * n[1] * n[2]);
+  std::vector<std::array<double, components>> waves(transform_->wave_count());
+  const double scale = std::pow(plan_.spacing, 3) / (double(n[0]) * n[1] * n[2]);
+  for (std::size_t c = 0; c < components; ++c) {
+    transform_->forward(samples[c]);
+    for (std::ptrdiff_t w = 0; w < transform_->wave_count(); ++w)
+      waves[w][c] = scale * part(as_complex(samples[c])[w]);
+  }
+  return waves;
 }
 
 void ParticleMesh::sample_kernel() {
-  kernel_.assign(fields_, std::vector<std::array<double, 6>>(transform_->wave_count()));
-  const double share = this->share(0), scale = open_scale();
-  std::array<FftwArray, 6> samples;
+  kernel_.clear();
   for (std::size_t k = 0; k < fields_; ++k) {
-    for (FftwArray& s : samples) s = transform_->array();
-    for_each_displacement([&](std::ptrdiff_t place, const Vec3& d) {
+    const auto tensor_at = [&](const Vec3& d) {
       const double r = d.norm();
-      const SplitTensor parts = far_tensor(plan_.xi, share, r, spheres_.viscosity);
+      const SplitTensor parts = far_tensor(plan_.xi, share(0), r, spheres_.viscosity);
       const PairTensor tensor = k == 0 ? parts.sphere_tensor(fields_ == 1 ? shared_size_ : 0)
                                        : PairTensor{parts.laplacian.isotropic / 6, parts.laplacian.axial / 6};
       const Vec3 unit = r > 0 ? Vec3(d / r) : Vec3::Zero();
+      std::array<double, 6> elements;
       int c = 0;
       for (int a = 0; a < 3; ++a)
         for (int b = a; b < 3; ++b, ++c)
-          samples[c][place] = (a == b ? tensor.isotropic : 0) + tensor.axial * unit[a] * unit[b];
-    });
-    for (int c = 0; c < 6; ++c) {
-      transform_->forward(samples[c]);  // the Fourier transform of an even function is real
-      const Complex* waves = as_complex(samples[c]);
-      for (std::ptrdiff_t w = 0; w < transform_->wave_count(); ++w)
-        kernel_[k][w][c] = scale * waves[w].real();
-    }
+          elements[c] = (a == b ? tensor.isotropic : 0) + tensor.axial * unit[a] * unit[b];
+      return elements;
+    };
+    kernel_.push_back(transformed<6>(tensor_at, [](const Complex& z) { return z.real(); }));
   }
 }
 
 /// Samples the kernel of p/eta, without the windows.
 void ParticleMesh::sample_pressure_kernel() {
   pressure_ = transform_->array();
-  pressure_kernel_.resize(transform_->wave_count());
-  const double share = this->share(0), scale = open_scale();
-  std::array<FftwArray, 3> samples;
-  for (FftwArray& s : samples) s = transform_->array();
-  for_each_displacement([&](std::ptrdiff_t place, const Vec3& d) {
-    const double factor = far_pressure(plan_.xi, share, d.norm(), spheres_.viscosity);
-    for (int c = 0; c < 3; ++c) samples[c][place] = factor * d[c];
-  });
-  for (int c = 0; c < 3; ++c) {
-    transform_->forward(samples[c]);  // the Fourier transform of an odd function is imaginary
-    const Complex* waves = as_complex(samples[c]);
-    for (std::ptrdiff_t w = 0; w < transform_->wave_count(); ++w)
-      pressure_kernel_[w][c] = scale * waves[w].imag();
-  }
+  const auto pressure_at = [&](const Vec3& d) {
+    const double factor = far_pressure(plan_.xi, share(0), d.norm(), spheres_.viscosity);
+    return std::array{factor * d[0], factor * d[1], factor * d[2]};
+  };
+  pressure_kernel_ = transformed<3>(pressure_at, [](const Complex& z) { return z.imag(); });
 }
 
 /// Sets the Fourier transform of the pressure from that of the forces.
@@ -195,35 +181,36 @@ ParticleMesh::SortedBeads ParticleMesh::sorted(std::span<const Vec3> positions) 
   return beads;
 }
 
-void ParticleMesh::set_positions(std::span<const Vec3> positions, std::size_t receivers) {
-  std::vector<Vec3> mirror_points;
-  if (plan_.has_mirror_points)
-    for (const Vec3& position : positions) mirror_points.push_back(half_space_->mirrored(position));
+void ParticleMesh::set_sources(std::span<const Vec3> positions, const Eigen::AlignedBox3d& around_receivers) {
   if (!is_periodic()) {
-    std::vector<Vec3> all(positions.begin(), positions.end());
-    all.insert(all.end(), mirror_points.begin(), mirror_points.end());
-    fit_to(all);
+    Eigen::AlignedBox3d bounds = bounding_box(positions).merged(around_receivers);
+    if (plan_.has_mirror_points)
+      for (const Vec3& corner : {around_receivers.min(), around_receivers.max()})
+        bounds.extend(half_space_->mirrored(corner));
+    fit_to(bounds);
   }
   sources_ = sorted(positions);
-  receivers_ = {};
-  for (std::size_t s = 0; s < sources_.order.size(); ++s) {
-    if (static_cast<std::size_t>(sources_.order[s]) >= receivers) continue;
-    receivers_.order.push_back(sources_.order[s]);
-    receivers_.places.push_back(sources_.places[s]);
-  }
-  if (plan_.has_mirror_points) mirrors_ = sorted(mirror_points);
+}
+
+void ParticleMesh::set_receivers(std::span<const Vec3> positions) {
+  receivers_ = sorted(positions);
+  if (!plan_.has_mirror_points) return;
+  std::vector<Vec3> mirror_points;
+  for (const Vec3& position : positions) mirror_points.push_back(half_space_->mirrored(position));
+  mirrors_ = sorted(mirror_points);
 }
 
 /// Returns the factor of a derivative of a bead in a field: 1 in F, 6 c_l a^2 in D, or the share of a class.
 double ParticleMesh::weight_of(std::size_t field, int bead, std::size_t derivative) const {
   const int degree = derivative_table.order[derivative];
-  if (classes_) return classes_->share(field, bead, degree);
+  if (memory_) return memory_->share(field, bead, degree);
   return field == 0 ? 1 : 6 * size_factors[degree] * (spheres_.radii[bead] * spheres_.radii[bead]);
 }
 
 void ParticleMesh::read_sources(std::span<const double> sources) {
   const std::size_t elements = spheres_.elements(), count = elements / 3;
   std::vector<double> sorted(sources.size());
+  values_.resize(fields_);
   for (std::size_t f = 0; f < fields_; ++f) {
     for (std::size_t s = 0; s < sources_.order.size(); ++s) {
       const int bead = sources_.order[s];
@@ -232,6 +219,7 @@ void ParticleMesh::read_sources(std::span<const double> sources) {
     }
     std::array<double*, 3> onto;
     for (int c = 0; c < 3; ++c) {
+      if (!values_[f][c]) values_[f][c] = transform_->array();
       onto[c] = values_[f][c].get();
       std::fill_n(onto[c], transform_->reals(), 0.0);
     }
@@ -252,53 +240,70 @@ void ParticleMesh::multiply(FlowPart part) {
 }
 
 void ParticleMesh::gather(std::span<double> flows) const {
-  const std::size_t elements = spheres_.elements(), count = elements / 3;
+  const std::size_t count = derivative_count(receiver_order()), elements = 3 * count;
   const double volume = cell_volume();
-  for (std::size_t f = 0; f < fields_; ++f) {
+  for (std::size_t f = 0; f < (at_points_ ? 1 : fields_); ++f) {
     const std::array<const double*, 3> from{values_[f][0].get(), values_[f][1].get(), values_[f][2].get()};
     std::vector<double> sums(elements * receivers_.order.size(), 0.0);
-    best_kernels<MobilityKernels>().gather(spheres_.order, geometry_, receivers_.windows(), 3, from.data(),
+    best_kernels<MobilityKernels>().gather(receiver_order(), geometry_, receivers_.windows(), 3, from.data(),
                                            sums.data());
     for (std::size_t s = 0; s < receivers_.order.size(); ++s) {
       const int bead = receivers_.order[s];
       for (std::size_t n = 0; n < elements; ++n)
-        flows[elements * bead + n] += volume * weight_of(f, bead, n % count) * sums[elements * s + n];
+        flows[elements * bead + n] +=
+            volume * (at_points_ ? 1 : weight_of(f, bead, n % count)) * sums[elements * s + n];
     }
   }
 }
 
-void ParticleMesh::add_flows(std::span<const double> sources, FlowPart part, std::span<double> flows) {
-  read_sources(sources);
-  multiply(part);
-  gather(flows);
+void ParticleMesh::add_flows(std::span<const double> sources, FlowPart part, std::span<double> flows,
+                             std::span<MirrorFlow> at_mirrors) {
+  evaluate(sources, part);
+  gather_flows(flows, at_mirrors);
 }
 
-void ParticleMesh::add_flows_and_mirrors(std::span<const double> sources, std::span<double> flows,
-                                         std::span<MirrorFlow> at_mirrors) {
+void ParticleMesh::evaluate(std::span<const double> sources, FlowPart part) {
   read_sources(sources);
-  set_pressure();
-  multiply(FlowPart::forces);
-  transform_->backward(pressure_);
+  if (plan_.has_mirror_points) set_pressure();
+  multiply(part);
+  if (plan_.has_mirror_points) transform_->backward(pressure_);
+}
+
+void ParticleMesh::gather_flows(std::span<double> flows, std::span<MirrorFlow> at_mirrors) const {
   gather(flows);
-  gather_mirrors(at_mirrors);
+  if (plan_.has_mirror_points) gather_mirrors(at_mirrors);
+}
+
+void ParticleMesh::add_remainder(std::span<const Vec3> points, std::span<double> flows) {
+  std::array<FftwArray, 3>& values = values_[0];
+  memory_->set_remainder(values);
+  for (const FftwArray& component : values) transform_->backward(component);
+  const SortedBeads receivers = sorted(points);
+  const std::array<const double*, 3> from{values[0].get(), values[1].get(), values[2].get()};
+  std::vector<double> sums(3 * points.size(), 0.0);
+  best_kernels<MobilityKernels>().gather(0, geometry_, receivers.windows(), 3, from.data(), sums.data());
+  for (std::size_t s = 0; s < points.size(); ++s)
+    for (int c = 0; c < 3; ++c) flows[3 * receivers.order[s] + c] += cell_volume() * sums[3 * s + c];
 }
 
 void ParticleMesh::gather_mirrors(std::span<MirrorFlow> at_mirrors) const {
-  const std::size_t points = mirrors_.order.size(), elements = spheres_.elements(), count = elements / 3;
-  const std::size_t high = derivative_count(spheres_.order + 2);
-  std::vector<double> velocities(elements * points, 0.0), others(2 * high * points, 0.0);
-  const auto& [x, y, z] = values_[0];
-  const std::array<const double*, 3> components{x.get(), y.get(), z.get()};
-  const std::array<const double*, 2> across{components[half_space_->axis], pressure_.get()};
+  const std::size_t points = mirrors_.order.size();
+  const int order = receiver_order(), high_order = at_points_ ? 1 : order + 2;
+  const std::size_t count = derivative_count(order), high = derivative_count(high_order);
+  std::vector<double> velocities(2 * count * points, 0.0), others(2 * high * points, 0.0);
+  const int axis = half_space_->axis;
+  const std::array<const double*, 2> along{values_[0][(axis + 1) % 3].get(),
+                                           values_[0][(axis + 2) % 3].get()},
+      across{values_[0][axis].get(), pressure_.get()};
   const auto gather = best_kernels<MobilityKernels>().gather;
-  gather(spheres_.order, geometry_, mirrors_.windows(), 3, components.data(), velocities.data());
-  gather(spheres_.order + 2, geometry_, mirrors_.windows(), 2, across.data(), others.data());
+  gather(order, geometry_, mirrors_.windows(), 2, along.data(), velocities.data());
+  gather(high_order, geometry_, mirrors_.windows(), 2, across.data(), others.data());
   const double volume = cell_volume();
   for (std::size_t s = 0; s < points; ++s) {
     MirrorFlow& flow = at_mirrors[mirrors_.order[s]];
-    for (int c = 0; c < 3; ++c)
+    for (int t = 0; t < 2; ++t)
       for (std::size_t d = 0; d < count; ++d)
-        flow.velocity[c][d] += volume * velocities[elements * s + c * count + d];
+        flow.along[t][d] += volume * velocities[(2 * s + t) * count + d];
     for (std::size_t d = 0; d < high; ++d) {
       flow.across[d] += volume * others[2 * high * s + d];
       flow.pressure[d] += volume * others[2 * high * s + high + d];
@@ -309,9 +314,9 @@ void ParticleMesh::gather_mirrors(std::span<MirrorFlow> at_mirrors) const {
 /// Returns the factors of each field in F and in D.
 std::vector<FieldFactors> ParticleMesh::field_factors() const {
   if (fields_ == 1) return {{1, shared_size_ / 2}};
-  if (!classes_) return {{1, 0}, {0, 1}};
+  if (!memory_) return {{1, 0}, {0, 1}};
   std::vector<FieldFactors> factors;
-  for (const SourceClass& each : classes_->classes())
+  for (const SourceClass& each : memory_->classes())
     factors.push_back({1, 6 * size_factors[each.degree] * each.radius * each.radius});
   return factors;
 }

@@ -49,6 +49,8 @@
 // With memory of the fluid, each class of sources has its own field, because its form factor matters at all
 // wavenumbers. F is the sum of all fields, D the sum of the fields times their 6 c_l a^2.
 //
+// At points without size, a_i is 0: F then needs K F + L D alone.
+//
 // Over the wall of a half-space, the flow is also needed at the mirror points of the beads, with its pressure
 // p. The mesh then contains these points too.
 //
@@ -62,24 +64,30 @@ class ParticleMesh {
   /// Sets up the mesh for the parameters `plan`. `memory`: of a fluid with inertia in a periodic box.
   /// `half_space`: the mesh contains the mirror points of the beads. Collective.
   ParticleMesh(const EwaldPlan& plan, const ImagedSpheres& spheres, const std::optional<FluidMemory>& memory,
-               const std::optional<HalfSpace>& half_space, const Communicator& communicator);
+               const std::optional<HalfSpace>& half_space, Receivers receivers,
+               const Communicator& communicator);
 
-  /// Sets the positions of all beads and images [length]. `receivers`: number of the beads without images. In
-  /// open space, fits the mesh to the positions. Collective.
-  void set_positions(std::span<const Vec3> positions, std::size_t receivers);
+  /// Sets the positions of all beads and images [length]. In open space, fits the mesh to them and to the box
+  /// around all receivers. Collective.
+  void set_sources(std::span<const Vec3> positions, const Eigen::AlignedBox3d& around_receivers);
+  /// Sets the positions of the receivers [length]: the beads without images, or points.
+  void set_receivers(std::span<const Vec3> positions);
 
   /// Adds the contribution of this rank to the flows of the far part at the receivers (force_moments.hpp).
   /// The sum of the contributions of all ranks is the far part, including the self-interaction of each bead.
-  /// `sources`: of all beads and images, equal on all ranks. Collective.
-  void add_flows(std::span<const double> sources, FlowPart part, std::span<double> flows);
-
-  /// Adds the flows as add_flows() does, over the wall of a half-space. Adds also the contribution of this
-  /// rank to the flow at the mirror point of each bead to at_mirrors. Collective.
-  void add_flows_and_mirrors(std::span<const double> sources, std::span<double> flows,
-                             std::span<MirrorFlow> at_mirrors);
+  /// `sources`: of all beads and images, equal on all ranks. If the plan has mirror points, also adds the
+  /// contribution to the flow at the mirror point of each bead to at_mirrors. Collective.
+  void add_flows(std::span<const double> sources, FlowPart part, std::span<double> flows,
+                 std::span<MirrorFlow> at_mirrors = {});
+  /// Evaluates the far part on the mesh, from which gather_flows() then adds it at any receivers. Collective.
+  void evaluate(std::span<const double> sources, FlowPart part);
+  void gather_flows(std::span<double> flows, std::span<MirrorFlow> at_mirrors) const;
 
   /// Spreads and transforms the sources, which MemoryField::start() or end_step() then uses. Collective.
   void read_sources(std::span<const double> sources);
+  /// Adds the contribution of this rank to the flow by the memory of the fluid (MemoryField::set_remainder())
+  /// at points, 3 numbers each. The mesh values of the last product are lost. Collective.
+  void add_remainder(std::span<const Vec3> points, std::span<double> flows);
   /// Returns the memory of the fluid; null for steady flow.
   MemoryField* memory() const { return memory_.get(); }
 
@@ -94,16 +102,16 @@ class ParticleMesh {
   SortedBeads sorted(std::span<const Vec3> positions) const;
   bool is_periodic() const { return spheres_.lengths[0] > 0; }
   void set_points(const std::array<int, 3>& points);
-  void fit_to(std::span<const Vec3> positions);
+  void fit_to(const Eigen::AlignedBox3d& bounds);
   double share(int axis) const;
   double cell_volume() const { return spacing_[0] * spacing_[1] * spacing_[2]; }
-  void set_memory(const FluidMemory& memory);
-  template <class Sample>
-  void for_each_displacement(const Sample& sample) const;
-  double open_scale() const;
+  template <std::size_t components, class Function, class Part>
+  std::vector<std::array<double, components>> transformed(const Function& function, const Part& part) const;
   void sample_kernel();
   void sample_pressure_kernel();
   void set_pressure();
+  /// Returns the highest derivative of the flow at the receivers.
+  int receiver_order() const { return at_points_ ? 0 : spheres_.order; }
   double weight_of(std::size_t field, int bead, std::size_t derivative) const;
   void gather(std::span<double> flows) const;
   void gather_mirrors(std::span<MirrorFlow> at_mirrors) const;
@@ -114,16 +122,16 @@ class ParticleMesh {
 
   EwaldPlan plan_;
   ImagedSpheres spheres_;
+  bool at_points_;
   std::optional<HalfSpace> half_space_;
   const Communicator& communicator_;
   std::size_t fields_ = 1;
-  std::optional<SourceClasses> classes_{};  ///< nullopt: F, or F and D
   double shared_size_ = 0;  ///< a_i^2 + a_j^2, equal for all pairs if there is one field [length^2]
   WindowMesh geometry_{};
   std::array<double, 3> spacing_{};  ///< h [length]
   std::unique_ptr<MeshTransform> transform_{};
   std::vector<std::array<FftwArray, 3>> values_{};  ///< mesh values per field: forces, replaced by velocities
-  SortedBeads sources_, receivers_, mirrors_;       ///< all; without images; mirror points in a half-space
+  SortedBeads sources_, receivers_, mirrors_;       ///< beads with images; receivers; their mirror points
   std::vector<std::vector<std::array<double, 6>>> kernel_{};  ///< open space: Fourier transforms of K and L
   /// Over a wall: imaginary part of the Fourier transform of the kernel of p/eta, and mesh values of p/eta.
   std::vector<std::array<double, 3>> pressure_kernel_{};

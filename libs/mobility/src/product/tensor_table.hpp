@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "beadswim/mobility/rotne_prager_tensor.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 #include "imaged_spheres.hpp"
 #include "mobility_kernels.hpp"
 

@@ -58,8 +58,7 @@ void UnresolvedMemory::add_projections(std::span<const double> moments, FlowPart
     const Eigen::Map<const Eigen::VectorXd> of_sphere(&moments[count_ * b], count);
     Eigen::Map<Eigen::VectorXd> onto(&projections[count_ * b], count);
     onto -= spheres_[b]->delayed_mobility * of_sphere;
-    if (part == FlowPart::all)
-      onto += Eigen::Map<const Eigen::VectorXd>(&remaining_flow_[count_ * b], count);
+    if (part == FlowPart::all) onto += Eigen::Map<const Eigen::VectorXd>(&remaining_flow_[count_ * b], count);
   }
 }
 

@@ -3,17 +3,6 @@
 #include <cmath>
 
 namespace beadswim {
-namespace {
-
-constexpr double smallest_gap = 1e-4, largest_gap = 63;  // of the table [radius]
-
-LazyTable<1, 1>::Axis axis_of_gaps() {
-  const double first = std::log(smallest_gap), last = std::log(largest_gap);
-  return {.first = first,
-          .nodes = static_cast<int>(std::ceil((last - first) / LazyTable<1, 1>::spacing)) + 1};
-}
-
-}  // namespace
 
 // With cosh(alpha) = height and k = 2 n + 1:
 //
@@ -37,14 +26,9 @@ double rotne_prager_towards_wall(double height) {
   return 1 - (9 * near - 4 * std::pow(near, 3) + std::pow(near, 5)) / 8;
 }
 
-WallMapTable::WallMapTable()
-    : table_({axis_of_gaps()}, [](const std::array<double, 1>& log_gap) {
-        const double height = 1 + std::exp(log_gap[0]);
-        return std::array{-0.5 * std::log(drag_towards_wall(height) * rotne_prager_towards_wall(height))};
-      }) {}
-
-double WallMapTable::log_map(double height) const {
-  return height - 1 > largest_gap ? 0 : table_.at({std::log(height - 1)})[0];
+double log_wall_map(double height, double mobility) {
+  constexpr double max_height = 64;
+  return height > max_height ? 0 : -0.5 * std::log(drag_towards_wall(height) * mobility);
 }
 
 }  // namespace beadswim

@@ -31,8 +31,9 @@ void add_reflected_flow(int order, int axis, double height, const std::array<dou
   const int count = derivative_count(order);
   const Mirrored phi{at_mirror.across, axis}, q{at_mirror.pressure, axis};
   const auto& plus = derivative_sums.of;
-  for (int c = 0; c < 3; ++c) {
-    const Mirrored v{at_mirror.velocity[c], axis};
+  for (int t = 0; t < 3; ++t) {
+    const int c = (axis + 1 + t) % 3;
+    const Mirrored v{t < 2 ? at_mirror.along[t] : at_mirror.across, axis};
     for (int e = 0; e < count; ++e) {
       const int k = derivative_table.degree[e][axis], slope = plus[e][1 + c];
       double sum = -v(e) + height * (2 * phi(slope) + height * q(slope));

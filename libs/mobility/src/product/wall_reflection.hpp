@@ -31,11 +31,16 @@
 
 namespace beadswim {
 
-/// Flow of forces at the mirror point of a sphere: derivatives of the velocity up to the order n of the
-/// moments, and of its component across the wall and of p/eta up to the order n + 2.
+/// What feels a flow: spheres that also exert it, or points without size on which no force acts.
+enum class Receivers { spheres, points };
+
+/// Flow of forces at the mirror point of a sphere: derivatives of the velocity along the wall up to the order
+/// n of the moments, and of its component across the wall and of p/eta up to the order n + 2. With the normal
+/// of the wall along the axis a, the components along the wall belong to the axes a + 1 and a + 2 modulo 3.
+/// At a point, and at the mirror point of a point: the velocity along the wall, and the others up to order 1.
 struct MirrorFlow {
   static constexpr int max_count = derivative_count(4);
-  double velocity[3][derivative_count(2)]{};
+  double along[2][derivative_count(2)]{};
   double across[max_count]{}, pressure[max_count]{};
 };
 

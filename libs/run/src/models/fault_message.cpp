@@ -78,8 +78,7 @@ std::string what_is_wrong(const Fault& fault, const FaultyRun& run) {
     case FaultKind::not_positive:
       return fmt::format(
           "the mobility is not positive definite any more: forces would move beads backwards, most of all "
-          "{}, "
-          "because beads are too close to each other or to a wall; use {} rpy",
+          "{}, because beads are too close to each other or to a wall; use {} rpy",
           place, Setting::model);
     case FaultKind::not_converged:
       return fmt::format(
@@ -91,13 +90,13 @@ std::string what_is_wrong(const Fault& fault, const FaultyRun& run) {
 
 }  // namespace
 
-ModelFault model_fault(const Fault& fault, const FaultyRun& run) {
+EarlyStop model_fault(const Fault& fault, const FaultyRun& run) {
   const bool is_speed = fault.kind == FaultKind::speed || fault.kind == FaultKind::displacement;
   const std::string mach = run.mach ? fmt::format(", largest Mach number of a bead {:.2g}", *run.mach) : "";
   return {.status = is_speed ? RunStatus::stopped_speed : RunStatus::failed,
-          .message = fmt::format("step {} (cycle {:.3f}{}): {}", fault.step,
-                                 static_cast<double>(fault.step) / static_cast<double>(run.steps_per_cycle),
-                                 mach, what_is_wrong(fault, run))};
+          .reason = fmt::format("step {} (cycle {:.3f}{}): {}", fault.step,
+                                static_cast<double>(fault.step) / static_cast<double>(run.steps_per_cycle),
+                                mach, what_is_wrong(fault, run))};
 }
 
 }  // namespace beadswim

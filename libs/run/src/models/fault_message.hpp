@@ -19,6 +19,6 @@ struct FaultyRun {
 
 /// Returns status and message of a run that ends with this fault. The message states step, place, fault,
 /// likely cause and remedy.
-ModelFault model_fault(const Fault& fault, const FaultyRun& run);
+EarlyStop model_fault(const Fault& fault, const FaultyRun& run);
 
 }  // namespace beadswim

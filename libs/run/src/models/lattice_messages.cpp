@@ -38,52 +38,44 @@ std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach_s
 void warn_of_resolution(std::vector<RunWarning>& warnings, const SceneOnLattice& on_lattice) {
   const double cells_per_radius = on_lattice.resolution.cells_per_radius, gap = on_lattice.smallest_gap;
   if (cells_per_radius < 2) {
-    warnings.push_back(
-        {"beads-unresolved",
-         fmt::format("{:.3g} cells per radius do not resolve a bead; use 3 or more", cells_per_radius)});
+    add_warning(warnings, "beads-unresolved", "{:.3g} cells per radius do not resolve a bead; use 3 or more",
+                cells_per_radius);
   }
   constexpr double close = 2.5;
   if (gap < close) {
-    warnings.push_back(
-        {"gaps-unresolved",
-         fmt::format(
-             "the smallest gap between beads, images or walls is {:.2g} cells at the start, too few to "
-             "resolve the flow: strokes may be wrong by tens of per cent; use {} {:.2g} "
-             "for a gap of {} cells",
-             gap, Setting::cells_per_radius, std::ceil(cells_per_radius * close / gap), close)});
+    add_warning(
+        warnings, "gaps-unresolved",
+        "the smallest gap between beads, images or walls is {:.2g} cells at the start, too few to resolve "
+        "the flow: strokes may be wrong by tens of per cent; use {} {:.2g} for a gap of {} cells",
+        gap, Setting::cells_per_radius, std::ceil(cells_per_radius * close / gap), close);
   }
 }
 
 void warn_of_stability(std::vector<RunWarning>& warnings, const SceneOnLattice& on_lattice) {
   if (on_lattice.density_on_lattice() < min_stable_density) {
-    warnings.push_back(
-        {"light-beads",
-         fmt::format("the beads' density on the lattice is {:.3g} times the fluid's density; below {} "
-                     "times, the explicit coupling may become unstable; use {} on, together with a larger {}",
-                     on_lattice.density_on_lattice(), min_stable_density, Setting::delay_correction,
-                     Setting::relaxation_time)});
+    add_warning(warnings, "light-beads",
+                "the beads' density on the lattice is {:.3g} times the fluid's density; below {} times, the "
+                "explicit coupling may become unstable; use {} on, together with a larger {}",
+                on_lattice.density_on_lattice(), min_stable_density, Setting::delay_correction,
+                Setting::relaxation_time);
   }
   if (on_lattice.lattice.relaxation_time < min_stable_relaxation_time) {
-    warnings.push_back(
-        {"relaxation-time",
-         fmt::format("the relaxation time {:.4g} is so close to 1/2 that viscosity hardly damps "
-                     "unresolved flow: the fluid may become unstable or show unphysical turbulence; use "
-                     "{} or more",
-                     on_lattice.lattice.relaxation_time, min_stable_relaxation_time)});
+    add_warning(warnings, "relaxation-time",
+                "the relaxation time {:.4g} is so close to 1/2 that viscosity hardly damps unresolved flow: "
+                "the fluid may become unstable or show unphysical turbulence; use {} or more",
+                on_lattice.lattice.relaxation_time, min_stable_relaxation_time);
   }
   if (on_lattice.damps_springs) {
-    warnings.push_back(
-        {"springs-damped",
-         "springs vibrate too fast for the time step, so dashpots are added that damp these vibrations; "
-         "these dashpots delay slower motion by at most half a time step"});
+    add_warning(warnings, "springs-damped",
+                "springs vibrate too fast for the time step, so dashpots are added that damp these "
+                "vibrations; these dashpots delay slower motion by at most half a time step");
   }
   if (on_lattice.angular_softening() < 1) {
-    warnings.push_back(
-        {"angular-springs-softened",
-         fmt::format("bending vibrations are too fast for the time step, so angular springs are softened "
-                     "to {:.2g} of the layout's stiffness; to soften them less, reduce the time step by "
-                     "a smaller {} or a larger {}",
-                     on_lattice.angular_softening(), Setting::relaxation_time, Setting::cells_per_radius)});
+    add_warning(
+        warnings, "angular-springs-softened",
+        "bending vibrations are too fast for the time step, so angular springs are softened to {:.2g} of the "
+        "layout's stiffness; to soften them less, reduce the time step by a smaller {} or a larger {}",
+        on_lattice.angular_softening(), Setting::relaxation_time, Setting::cells_per_radius);
   }
 }
 
@@ -94,19 +86,15 @@ void warn_of_roundoff(std::vector<RunWarning>& warnings, Precision precision, do
           ? fmt::format("{:.2g}", error)
           : "more than 1, because the velocity is zero to second order in the driving amplitude";
   if (precision == Precision::fp32) {
-    warnings.push_back(
-        {"roundoff",
-         fmt::format("in single precision the relative error of a swimmer's velocity may be {}: roundoff "
-                     "is too large if a swimmer is slow compared with its beads, or if the run is long; "
-                     "use {} double",
-                     much, Setting::precision)});
+    add_warning(warnings, "roundoff",
+                "in single precision the relative error of a swimmer's velocity may be {}: roundoff is too "
+                "large if a swimmer is slow compared with its beads, or if the run is long; use {} double",
+                much, Setting::precision);
   } else {
-    warnings.push_back(
-        {"roundoff",
-         fmt::format("a swimmer moves so little per cycle that roundoff may cause a relative error of "
-                     "its velocity of {}; increase the driving amplitude, or use the velocity of "
-                     "beadswim-theory",
-                     much)});
+    add_warning(warnings, "roundoff",
+                "a swimmer moves so little per cycle that roundoff may cause a relative error of its "
+                "velocity of {}; increase the driving amplitude, or use the velocity of beadswim-theory",
+                much);
   }
 }
 
@@ -133,12 +121,11 @@ std::vector<RunWarning> warnings_before(const SceneOnLattice& on_lattice, double
 std::vector<RunWarning> warnings_after(double mach) {
   std::vector<RunWarning> warnings;
   if (mach > max_incompressible_mach) {
-    warnings.push_back(
-        {"compressible",
-         fmt::format("the fastest bead reached Mach {:.2g} (Mach 1: speed of sound of the lattice), "
-                     "where compression changes the density of the fluid by about {:.0f} % and affects "
-                     "the motion; reduce the time step by a smaller {} or a larger {}",
-                     mach, 100 * mach * mach, Setting::relaxation_time, Setting::cells_per_radius)});
+    add_warning(warnings, "compressible",
+                "the fastest bead reached Mach {:.2g} (Mach 1: speed of sound of the lattice), where "
+                "compression changes the density of the fluid by about {:.0f} % and affects the motion; "
+                "reduce the time step by a smaller {} or a larger {}",
+                mach, 100 * mach * mach, Setting::relaxation_time, Setting::cells_per_radius);
   }
   return warnings;
 }

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 
@@ -7,7 +8,7 @@
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/coupling/refinement.hpp"
 #include "beadswim/run/velocity_roundoff.hpp"
-#include "models/flow_output.hpp"
+#include "models/lattice_flow.hpp"
 #include "models/lattice_model.hpp"
 #include "models/models.hpp"
 
@@ -40,19 +41,15 @@ BeadMotion extrapolated(BeadMotion bead, const BeadVelocity& next, double ahead)
 }
 
 /// Returns the scene with the levels of a checkpoint. Throws DataError if they cannot be those of the run.
-CoupledScene with_levels(CoupledScene scene, const std::vector<std::array<int, 6>>& levels,
-                         const std::string& path) {
-  const Block coarsest = scene.levels.front();
-  const std::size_t count = scene.levels.size();
-  scene.levels.clear();
-  bool fits = levels.size() == count;
-  for (const auto& level : levels) {
-    scene.levels.push_back(Block::of_numbers(level));
-    const Block& block = scene.levels.back();
-    fits = fits && !block.is_empty() && (block.size <= scene.cells).all();
-  }
-  if (fits && scene.levels.front() == coarsest) return scene;
-  throw DataError(path, "the levels of cells in the checkpoint are damaged");
+CoupledScene with_levels(CoupledScene scene, std::vector<Block> levels, const std::string& path) {
+  const auto fits = [&](const Block& level) {
+    return !level.is_empty() && (level.size <= scene.cells).all();
+  };
+  if (levels.size() != scene.levels.size() || !std::ranges::all_of(levels, fits) ||
+      levels.front() != scene.levels.front())
+    throw DataError(path, "the levels of cells in the checkpoint are damaged");
+  scene.levels = std::move(levels);
+  return scene;
 }
 
 struct LatticePlan : ModelPlan {
@@ -73,16 +70,15 @@ struct LatticePlan : ModelPlan {
       std::vector<double>& of_type = radii.emplace_back();
       for (const Bead& bead : type.beads) of_type.push_back(bead.radius * units.length);
     }
-    softening = on_lattice.softening;
     swimmers = on_lattice.scene.swimmers;
-    updates_per_step = beadswim::updates_per_step(on_lattice.scene.all_levels());
     step_multiple = 1L << (on_lattice.scene.all_levels().size() - 1);
     announcement = announcement_of(on_lattice, communicator);
     const long steps = total_steps(settings.cycles, steps_per_cycle);
     warnings = warnings_before(on_lattice, velocity_roundoff(on_lattice.scene, steps_per_cycle, steps));
   }
 
-  std::unique_ptr<Model> make(const std::string& trajectory, long flow_until) const override;
+  std::unique_ptr<Model> make() const override;
+  int flow_levels() const override { return static_cast<int>(on_lattice.scene.all_levels().size()); }
   const SceneOnLattice* lattice() const override { return &on_lattice; }
 
   const Communicator& communicator;
@@ -91,16 +87,12 @@ struct LatticePlan : ModelPlan {
 
 class LatticeModel : public Model {
  public:
-  LatticeModel(const LatticePlan& plan, const std::string& trajectory, long flow_until)
+  explicit LatticeModel(const LatticePlan& plan)
       : on_lattice_(plan.on_lattice),
         communicator_(plan.communicator),
         system_(std::make_unique<CoupledSystem>(on_lattice_.scene, communicator_)),
         first_totals_(system_->totals()),
-        last_totals_(first_totals_) {
-    if (plan.settings.flow_every && !trajectory.empty())
-      flow_.emplace(trajectory, on_lattice_.lattice.scales, flow_until,
-                    static_cast<int>(on_lattice_.scene.all_levels().size()), communicator_);
-  }
+        last_totals_(first_totals_) {}
 
   void step() override {
     system_->step();
@@ -125,15 +117,28 @@ class LatticeModel : public Model {
     return positions;
   }
 
-  std::vector<SwimmerPose> gather_swimmers(double ahead) const override {
-    std::vector<SwimmerPose> poses;
+  std::vector<DipoleSample> dipoles() const override {
+    std::vector<DipoleSample> dipoles;
+    for (const SwimmerState& swimmer : system_->owned_swimmers())
+      dipoles.push_back({.integral = swimmer.dipole_sum});
+    return dipoles;
+  }
+
+  std::vector<SwimmerMotion> gather_swimmers(double ahead) const override {
+    std::vector<SwimmerMotion> swimmers;
     for (const SwimmerState& swimmer : system_->gather_swimmers()) {
-      SwimmerPose& pose = poses.emplace_back();
-      pose.id = swimmer.id;
+      SwimmerMotion& motion = swimmers.emplace_back();
       for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
-        pose.motion.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead));
+        motion.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead));
     }
-    return poses;
+    return swimmers;
+  }
+
+  std::vector<Vec3> gather_fluid_forces() const override {
+    std::vector<Vec3> forces;
+    for (const SwimmerState& swimmer : system_->gather_swimmers())
+      for (const Load& load : swimmer.fluid_loads) forces.push_back(load.force);
+    return forces;
   }
 
   ModelTotals first_totals() const override { return in_layout_units(first_totals_); }
@@ -143,7 +148,7 @@ class LatticeModel : public Model {
     return in_layout_units(last_totals_);
   }
 
-  std::optional<ModelFault> fault() const override {
+  std::optional<EarlyStop> fault() const override {
     std::optional<Fault> fault = system_->fault();
     if (!fault && last_totals_step_ == steps_done()) {
       fault =
@@ -154,8 +159,11 @@ class LatticeModel : public Model {
     return model_fault(*fault, faulty_run(*fault, on_lattice_, largest_mach()));
   }
 
-  void write_flow() override {
-    if (flow_) flow_->write(*system_);
+  std::vector<PointFlow> flow_at(std::span<const Vec3> points) const override {
+    return LatticeFlow(*system_, on_lattice_.lattice.scales, communicator_).at(points);
+  }
+  void write_flow(const std::vector<std::string>& files) const override {
+    LatticeFlow(*system_, on_lattice_.lattice.scales, communicator_).write(files);
   }
   void describe(RunRecord& record) const override {
     Traffic traffic = earlier_traffic_;
@@ -165,20 +173,15 @@ class LatticeModel : public Model {
   std::vector<RunWarning> warnings() const override { return warnings_after(largest_mach()); }
 
   void write_history(OutgoingMessage& history) const override {
-    history(system_->progress(), first_totals_, flow_ ? flow_->steps() : std::vector<long>{});
-    if (on_lattice_.scene.levels.empty()) return;
-    std::vector<std::array<int, 6>> levels;
-    for (const Block& level : system_->scene().levels) levels.push_back(level.numbers());
-    history(levels);
+    history(system_->progress(), first_totals_);
+    if (!on_lattice_.scene.levels.empty()) history(system_->scene().levels);
   }
   void write_state(CheckpointWriter& checkpoint) override { write_lattice_state(checkpoint, *system_); }
   void restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) override {
     SystemProgress progress{.steps_done = steps_done};
-    std::vector<long> flow_steps;
-    history(progress, first_totals_, flow_steps);
-    if (flow_) flow_->restore(flow_steps);
+    history(progress, first_totals_);
     if (!on_lattice_.scene.levels.empty()) {
-      std::vector<std::array<int, 6>> levels;
+      std::vector<Block> levels;
       history(levels);
       system_.reset();
       system_ = std::make_unique<CoupledSystem>(with_levels(on_lattice_.scene, levels, checkpoint.path()),
@@ -200,16 +203,15 @@ class LatticeModel : public Model {
   const SceneOnLattice& on_lattice_;
   const Communicator& communicator_;
   std::unique_ptr<CoupledSystem> system_;
-  std::optional<FlowOutput> flow_;
   Traffic earlier_traffic_;                 ///< messages of systems that have been replaced
   long first_step_ = 0;                     ///< steps of the earlier run that this run continues
   SceneTotals first_totals_, last_totals_;  ///< at the start of the run, and most recently; in lattice units
   long last_totals_step_ = 0;
 };
 
-std::unique_ptr<Model> LatticePlan::make(const std::string& trajectory, long flow_until) const {
+std::unique_ptr<Model> LatticePlan::make() const {
   try {
-    return std::make_unique<LatticeModel>(*this, trajectory, flow_until);
+    return std::make_unique<LatticeModel>(*this);
   } catch (const std::bad_alloc&) {
     throw SolverError(
         fmt::format("out of memory: the lattice needs about {:.2g} GB on {} ranks; use a smaller {}, {} "

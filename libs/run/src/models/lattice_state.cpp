@@ -18,25 +18,16 @@ LatticePart part_of(const Level& level, int finer_levels) {
           .lattice = finer_levels};
 }
 
-/// Writes the populations of this rank to a checkpoint, in the floating-point precision of the run.
-template <class Real>
-void add_populations(CheckpointWriter& file, const Populations& populations, const LatticePart& part) {
-  file.add_lattice<Real>(part, d3q19::directions, [&](int i, std::span<Real> numbers) {
-    auto next = numbers.begin();
-    for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
-      *next++ = static_cast<Real>(populations.outgoing(i, cell));
-    });
-  });
-}
-
-template <class Real>
-void read_populations(const CheckpointReader& file, Populations& populations, const LatticePart& part) {
-  file.read_lattice<Real>(part, d3q19::directions, [&](int i, std::span<const Real> numbers) {
-    auto next = numbers.begin();
-    for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
-      populations.set_outgoing(i, cell, static_cast<double>(*next++));
-    });
-  });
+/// Calls work.operator()<Real>(populations, part) for the populations of this rank on each level. Real: their
+/// type.
+template <class Work>
+void for_each_level(auto& levels, const Work& work) {
+  for (int n = 0; n < levels.count(); ++n) {
+    auto& populations = levels[n].populations;
+    const LatticePart part = part_of(levels[n], levels.count() - 1 - n);
+    in_precision(populations.precision(),
+                 [&]<class Real>() { work.template operator()<Real>(populations, part); });
+  }
 }
 
 /// Upper bound of a valid bead coordinate [cell].
@@ -62,22 +53,21 @@ bool is_sound(const SwimmerSnapshot& snapshot, const PlacedSwimmer& of_scene, st
 /// DataError if the checkpoint contains the swimmers of another scene.
 std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const CoupledSystem& system) {
   const CoupledScene& scene = system.scene();
-  const auto size_of = [&](const PlacedSwimmer& swimmer) {
-    return snapshot_size(scene.type_of(swimmer).beads.size());
+  const auto size_of = [&](std::span<const PlacedSwimmer> swimmers) {
+    std::uint64_t bytes = 0;
+    for (const PlacedSwimmer& swimmer : swimmers) bytes += snapshot_size(scene.type_of(swimmer).beads.size());
+    return bytes;
   };
-  std::uint64_t total_bytes = 0;
-  for (const PlacedSwimmer& swimmer : scene.swimmers) total_bytes += size_of(swimmer);
-  if (total_bytes != file.size(swimmers_section)) throw_other_swimmers(file);
+  if (size_of(scene.swimmers) != file.size(swimmers_section)) throw_other_swimmers(file);
   constexpr std::size_t swimmers_per_chunk = 4096;
   std::vector<SwimmerSnapshot> owned;
   std::uint64_t first_byte = 0;
   for (std::size_t first = 0; first < scene.swimmers.size(); first += swimmers_per_chunk) {
     const auto of_scene =
         std::span(scene.swimmers).subspan(first, std::min(swimmers_per_chunk, scene.swimmers.size() - first));
-    std::uint64_t bytes = 0;
-    for (const PlacedSwimmer& swimmer : of_scene) bytes += size_of(swimmer);
-    auto chunk = states_from_bytes<SwimmerSnapshot>(file.bytes(swimmers_section, first_byte, bytes));
-    first_byte += bytes;
+    auto chunk =
+        values_from_bytes<SwimmerSnapshot>(file.bytes(swimmers_section, first_byte, size_of(of_scene)));
+    first_byte += size_of(of_scene);
     const auto is_of_scene = [&](const SwimmerSnapshot& swimmer, const PlacedSwimmer& placed) {
       return is_sound(swimmer, placed, scene.type_of(placed).beads.size());
     };
@@ -92,23 +82,26 @@ std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const 
 
 void write_lattice_state(CheckpointWriter& file, CoupledSystem& system) {
   file.add(swimmers_section, bytes_of(system.gather_snapshots()));
-  const Levels& levels = system.levels();
-  for (int n = 0; n < levels.count(); ++n) {
-    const Populations& populations = levels[n].populations;
-    in_precision(populations.precision(), [&]<class Real>() {
-      add_populations<Real>(file, populations, part_of(levels[n], levels.count() - 1 - n));
+  for_each_level(system.levels(), [&]<class Real>(const Populations& populations, const LatticePart& part) {
+    file.add_lattice<Real>(part, d3q19::directions, [&](int i, std::span<Real> numbers) {
+      auto next = numbers.begin();
+      for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
+        *next++ = static_cast<Real>(populations.outgoing(i, cell));
+      });
     });
-  }
+  });
 }
 
 void read_lattice_state(const CheckpointReader& file, CoupledSystem& system, const SystemProgress& progress) {
   system.restore(progress, owned_swimmers(file, system), [&](Levels& levels) {
-    for (int n = 0; n < levels.count(); ++n) {
-      Populations& populations = levels[n].populations;
-      in_precision(populations.precision(), [&]<class Real>() {
-        read_populations<Real>(file, populations, part_of(levels[n], levels.count() - 1 - n));
+    for_each_level(levels, [&]<class Real>(Populations& populations, const LatticePart& part) {
+      file.read_lattice<Real>(part, d3q19::directions, [&](int i, std::span<const Real> numbers) {
+        auto next = numbers.begin();
+        for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
+          populations.set_outgoing(i, cell, static_cast<double>(*next++));
+        });
       });
-    }
+    });
   });
 }
 

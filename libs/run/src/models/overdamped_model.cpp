@@ -44,11 +44,10 @@ struct OverdampedPlan : ModelPlan {
       for (const Bead& bead : type.beads) of_type.push_back(bead.radius * units.length);
     }
     if (scene.memory && !layout.domain.box)
-      warnings.push_back(
-          {"periodic-cube",
-           fmt::format("the model unsteady replaces open space by a periodic cube of edge {:.6g}; its images "
-                       "change the velocity of a lone swimmer by some 0.2 %",
-                       scene.box->lengths[0] * units.length)});
+      add_warning(warnings, "periodic-cube",
+                  "the model unsteady replaces open space by a periodic cube of edge {:.6g}; its images "
+                  "change the velocity of a lone swimmer by some 0.2 %",
+                  scene.box->lengths[0] * units.length);
     announcement = fmt::format(
         "model {}, {} swimmers in {}, relative tolerance {:.3g} of the bead velocities, {} steps per cycle, "
         "on {} ranks",
@@ -56,7 +55,7 @@ struct OverdampedPlan : ModelPlan {
         communicator.size());
   }
 
-  std::unique_ptr<Model> make(const std::string& trajectory, long flow_until) const override;
+  std::unique_ptr<Model> make() const override;
 
   const Communicator& communicator;
   OverdampedScene scene;           ///< [units]
@@ -90,17 +89,36 @@ class OverdampedModel : public Model {
     return positions;
   }
 
-  std::vector<SwimmerPose> gather_swimmers(double ahead) const override {
-    std::vector<SwimmerPose> poses;
-    if (!plan_.communicator.is_root()) return poses;
-    for (std::size_t s = 0; s < plan_.swimmers.size(); ++s) {
-      SwimmerPose pose{.id = plan_.swimmers[s].id, .motion = {}};
-      for (std::size_t b = bead_ranges_[s].first; b < bead_ranges_[s].last; ++b)
-        pose.motion.push_back(motion_of(b, ahead));
-      poses.push_back(pose);
+  std::vector<DipoleSample> dipoles() const override {
+    const std::span<const double> moments = system_.moments();
+    const std::size_t per_bead = moments.size() / system_.positions().size();
+    std::vector<DipoleSample> dipoles;
+    for (int number = 0; number < own_swimmers(); ++number) {
+      const auto [first, last] = bead_ranges_[system_.own_swimmers().first + number];
+      BeadVectors positions(3, last - first), forces(3, last - first);
+      Eigen::Matrix3d stresslets = Eigen::Matrix3d::Zero();
+      for (std::size_t b = first; b < last; ++b) {
+        const double* of_bead = &moments[per_bead * b];
+        positions.col(b - first) = system_.positions()[b];
+        forces.col(b - first) = Vec3(of_bead[0], of_bead[1], of_bead[2]);
+        if (per_bead > 3) stresslets += stresslet_of(of_bead + 3);
+      }
+      dipoles.push_back({.present = components_of(dipole_of_forces(positions, forces) + stresslets)});
     }
-    return poses;
+    return dipoles;
   }
+
+  std::vector<SwimmerMotion> gather_swimmers(double ahead) const override {
+    std::vector<SwimmerMotion> swimmers;
+    if (!plan_.communicator.is_root()) return swimmers;
+    for (const auto& [first, last] : bead_ranges_) {
+      SwimmerMotion& motion = swimmers.emplace_back();
+      for (std::size_t b = first; b < last; ++b) motion.push_back(motion_of(b, ahead));
+    }
+    return swimmers;
+  }
+
+  std::vector<Vec3> gather_fluid_forces() const override { return system_.fluid_forces(); }
 
   // Without inertia, momentum is not defined and the mean flow is zero. With inertia, all is at rest at
   // first.
@@ -116,7 +134,7 @@ class OverdampedModel : public Model {
             .mass_excess = std::nullopt};
   }
 
-  std::optional<ModelFault> fault() const override {
+  std::optional<EarlyStop> fault() const override {
     if (!system_.fault()) return std::nullopt;
     const bool is_oseen = plan_.scene.model == MobilityModel::oseen;
     return model_fault(
@@ -130,7 +148,17 @@ class OverdampedModel : public Model {
                       : ""});
   }
 
-  void write_flow() override {}
+  std::vector<PointFlow> flow_at(std::span<const Vec3> points) const override {
+    std::vector<Vec3> places;  // [units]
+    for (const Vec3& point : points) places.push_back(wrapped(point / plan_.units.length, plan_.scene.box));
+    const FlowAtPoints flow = system_.flow_at(places);
+    std::vector<PointFlow> result;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      PointFlow& at = result.emplace_back(PointFlow{.velocity = flow.velocities[p] * plan_.units.velocity()});
+      if (flow.spheres[p] >= 0) at.bead = 1.0 + number_in_swimmer(flow.spheres[p]);
+    }
+    return result;
+  }
   void describe(RunRecord& record) const override {
     const OverdampedState& state = system_.state();
     record.model = to_text(plan_.scene.model);
@@ -174,30 +202,26 @@ class OverdampedModel : public Model {
       const bool is_best =
           has_moment_order(plan_.scene.model) && settings.multipole_order == max_moment_order;
       if (error > error_at(*plan_.height_at_rest) + notable)
-        warnings.push_back(
-            {"wall-approach",
-             fmt::format("the height of a bead over the wall fell to {:.3g} radii, where its mobility has an "
-                         "error of up to {}; an expected error is for the height of {:.3g} radii at rest; "
-                         "compare this run with {}",
-                         height, in_percent(error), *plan_.height_at_rest,
-                         is_best
-                             ? lattice_over_wall()
-                             : fmt::format("{} multipole {} 2", Setting::model, Setting::multipole_order))});
+        add_warning(
+            warnings, "wall-approach",
+            "the height of a bead over the wall fell to {:.3g} radii, where its mobility has an error of up "
+            "to {}; an expected error is for the height of {:.3g} radii at rest; compare this run with {}",
+            height, in_percent(error), *plan_.height_at_rest,
+            is_best ? lattice_over_wall()
+                    : fmt::format("{} multipole {} 2", Setting::model, Setting::multipole_order));
     }
     const double gap = system_.state().smallest_gap * plan_.units.length;
     if (!std::isfinite(gap)) return warnings;
     const bool is_over_wall = plan_.scene.half_space.has_value();
     const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
-    warnings.push_back(
-        {"repulsion",
-         fmt::format(
-             "beads came within a gap of {:.3g} of each other or of a wall and were repelled; {}; "
-             "compare this run with {}",
-             gap,
-             knows_films
-                 ? "this repulsion is artificial and not a physical force"
-                 : "the model of this run neglects lubrication by the fluid film between close surfaces",
-             is_over_wall ? lattice_over_wall() : fmt::format("a run by {} lbm", Setting::model))});
+    add_warning(warnings, "repulsion",
+                "beads came within a gap of {:.3g} of each other or of a wall and were repelled; {}; compare "
+                "this run with {}",
+                gap,
+                knows_films
+                    ? "this repulsion is artificial and not a physical force"
+                    : "the model of this run neglects lubrication by the fluid film between close surfaces",
+                is_over_wall ? lattice_over_wall() : fmt::format("a run by {} lbm", Setting::model));
     return warnings;
   }
 
@@ -211,7 +235,7 @@ class OverdampedModel : public Model {
     checkpoint.add(beads_section, message.bytes());
     if (!plan_.scene.memory) return;
     OutgoingMessage memory;
-    memory(system_.gather_memory());
+    memory(system_.mobility().gather_memory());
     checkpoint.add(memory_section, memory.bytes());
   }
 
@@ -222,15 +246,17 @@ class OverdampedModel : public Model {
     IncomingMessage message(checkpoint.bytes(beads_section));
     OverdampedState::visit_bead_fields([&](const char*, auto& lists) { message(lists); }, state);
     if (!message.is_at_end()) refuse_other_version(checkpoint);
-    system_.restore(std::move(state));
-    if (!plan_.scene.memory) return;
-    IncomingMessage bytes(checkpoint.bytes(memory_section));
     std::vector<double> memory;
-    bytes(memory);
-    system_.restore_memory(memory);
+    if (plan_.scene.memory) IncomingMessage(checkpoint.bytes(memory_section))(memory);
+    system_.restore(std::move(state), memory);
   }
 
  private:
+  int number_in_swimmer(std::size_t bead) const {
+    return static_cast<int>(bead -
+                            (std::ranges::upper_bound(bead_ranges_, bead, {}, &BeadRange::first) - 1)->first);
+  }
+
   BeadMotion motion_of(std::size_t bead, double ahead) const {
     const OverdampedState& state = system_.state();
     const double time = ahead * plan_.scene.step;
@@ -247,7 +273,7 @@ class OverdampedModel : public Model {
   OverdampedSystem system_;
 };
 
-std::unique_ptr<Model> OverdampedPlan::make(const std::string&, long) const {
+std::unique_ptr<Model> OverdampedPlan::make() const {
   return std::make_unique<OverdampedModel>(*this);
 }
 

@@ -9,7 +9,6 @@
 
 #include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/compare/run_uncertainty.hpp"
-#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -64,11 +63,7 @@ SwimmerUncertainty uncertainty_of(const SwimmerRecord& swimmer, const std::optio
 
 /// Adds expected errors, uncertainties and warnings. Rank 0 only.
 void add_errors(RunRecord& record, const ModelPlan& plan, const std::vector<RunWarning>& after) {
-  if (plan.expected) {
-    const ErrorEstimate& total = plan.expected->total;
-    record.expected_error =
-        ExpectedErrorRecord{.velocity = total.velocity, .arm_amplitudes = total.arm_amplitudes};
-  }
+  if (plan.expected) record.expected_error = plan.expected->total;
   for (SwimmerRecord& swimmer : record.swimmers) {
     if (!swimmer.cycles.empty())
       swimmer.uncertainty = uncertainty_of(swimmer, record.domain.box, plan.expected);
@@ -115,8 +110,7 @@ DimensionlessNumbers dimensionless_numbers(std::span<const SwimmerType> types, d
                                            double kinematic_viscosity, double period) {
   const double largest = largest_radius(types), omega = 2 * std::numbers::pi / period;
   double smallest = largest;
-  for (const SwimmerType& type : types)
-    for (const Bead& bead : type.beads) smallest = std::min(smallest, bead.radius);
+  for (const SwimmerType& type : types) smallest = std::min(smallest, smallest_radius(type));
   return {.reynolds_bead = speed * 2 * largest / kinematic_viscosity,
           .penetration_depth_over_radius = std::sqrt(2 * kinematic_viscosity / omega) / smallest,
           .mach = std::nullopt};

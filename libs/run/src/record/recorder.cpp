@@ -3,16 +3,15 @@
 #include <fmt/core.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <tuple>
 
-#include "beadswim/compare/cycle_statistics.hpp"
+#include "beadswim/collinear/oseen.hpp"
 #include "beadswim/compare/driving_power.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
+#include "beadswim/swimmers/swimmer_forces.hpp"
 
 namespace beadswim {
 namespace {
@@ -51,25 +50,22 @@ CycleStatistics widest_cycle(const Layout& layout) {
 
 Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter* trajectory,
                    const Communicator& communicator)
-    : units_(plan.units),
-      time_step_(plan.time_step),
+    : plan_(plan),
+      layout_(layout),
       communicator_(communicator),
-      steps_per_cycle_(plan.steps_per_cycle),
-      frames_per_cycle_(static_cast<int>(std::min<long>(plan.settings.frames_per_cycle, steps_per_cycle_))),
-      box_(layout.domain.box),
-      flow_(layout.flow),
+      frames_per_cycle_(
+          static_cast<int>(std::min<long>(plan.settings.frames_per_cycle, plan.steps_per_cycle))),
       dynamic_viscosity_(layout.fluid.dynamic_viscosity()),
       towing_method_(towing_method(plan.settings.model)),
       pairs_(plan.settings.model == RunModel::oseen ? oseen_pairs : rotne_prager_tensor),
-      trajectory_(trajectory),
-      widest_cycle_(widest_cycle(layout)) {
+      trajectory_(trajectory) {
   for (const double period : plan.periods) schedules_.emplace_back(period, frames_per_cycle_);
   if (!communicator.is_root()) return;
   const Swarm swarm = placed_swimmers(layout);
   for (std::size_t s = 0; s < swarm.swimmers.size(); ++s) {
     SwimmerType type = swarm.type_of(swarm.swimmers[s]);
-    if (!plan.softening.empty()) {
-      const std::vector<double>& softening = plan.softening[plan.swimmers[s].type];
+    if (plan.lattice()) {
+      const std::vector<double>& softening = plan.lattice()->softening[plan.swimmers[s].type];
       for (std::size_t k = 0; k < softening.size(); ++k) type.angles[k].stiffness *= softening[k];
     }
     const double period = type.driving.period;
@@ -90,7 +86,7 @@ std::vector<SwimmerRecord> Recorder::swimmers() const {
 }
 
 double Recorder::time_of_frame(long frame) const {
-  return static_cast<double>(frame) / frames_per_cycle_ * static_cast<double>(steps_per_cycle_);
+  return static_cast<double>(frame) / frames_per_cycle_ * static_cast<double>(plan_.steps_per_cycle);
 }
 
 long Recorder::step_of_frame(long frame) const {
@@ -100,6 +96,7 @@ long Recorder::step_of_frame(long frame) const {
 void Recorder::sample(const Model& model) {
   const long step = model.steps_done();
   if (step != next_sample_) return;
+  const std::vector<DipoleSample> dipoles = model.dipoles();
   for (int swimmer = 0; swimmer < model.own_swimmers(); ++swimmer) {
     const SwimmerIdentity name = model.own_swimmer(swimmer);
     const SamplingSchedule& schedule = schedules_[name.type];
@@ -113,6 +110,7 @@ void Recorder::sample(const Model& model) {
         .id = name.id,
         .number = number,
         .time = time,
+        .dipole = dipoles[swimmer],
         .positions = model.bead_positions(swimmer, time - static_cast<double>(step))};
     pending_samples_(position_sample);
   }
@@ -144,14 +142,17 @@ void Recorder::store_samples(const FlowSample& now) {
 }
 
 void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_sample, const FlowSample& now) {
-  const double time = position_sample.time * time_step_;
+  const double time = position_sample.time * plan_.time_step;
   const double part =
       now.time > last_frame_.time ? (time - last_frame_.time) / (now.time - last_frame_.time) : 1;
   SwimmerSample sample{.time = time,
                        .bead_positions = {},
-                       .mean_flow = interpolate(part, last_frame_.mean_flow, now.mean_flow)};
+                       .mean_flow = interpolate(part, last_frame_.mean_flow, now.mean_flow),
+                       .dipole = position_sample.dipole};
+  for (double& component : sample.dipole.present) component *= plan_.units.energy();
+  for (double& component : sample.dipole.integral) component *= plan_.units.energy() * plan_.units.time;
   for (const Vec3& position : position_sample.positions)
-    sample.bead_positions.push_back(position * units_.length);
+    sample.bead_positions.push_back(position * plan_.units.length);
   log.samples.push_back(sample);
   if (position_sample.number == 0 || position_sample.number % log.samples_per_cycle != 0) return;
   const int index = static_cast<int>(position_sample.number / log.samples_per_cycle);
@@ -163,11 +164,14 @@ void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_samp
 }
 
 CycleStatistics Recorder::statistics_of(const SwimmerLog& log, int index) const {
-  CycleStatistics cycle = cycle_statistics(index, log.samples, log.type, log.initial_orientation, flow_);
+  CycleStatistics cycle =
+      cycle_statistics(index, log.samples, log.type, log.initial_orientation, layout_.flow);
   cycle.power = driving_power(log.type, log.initial_orientation, log.samples);
+  cycle.dipole = mean_dipole(log.samples, log.type, log.initial_orientation);
   if (!cycle.power || logs_.size() > max_swimmers_listed) return cycle;
   if (const auto drag = drag_in_cycle(log, cycle))
-    cycle.efficiency = lighthill_efficiency(*drag, velocity_relative_to_fluid(cycle, box_), *cycle.power);
+    cycle.efficiency =
+        lighthill_efficiency(*drag, velocity_relative_to_fluid(cycle, layout_.domain.box), *cycle.power);
   return cycle;
 }
 
@@ -180,26 +184,27 @@ std::optional<double> Recorder::drag_in_cycle(const SwimmerLog& log, const Cycle
   }
   const BeadVectors shape = mean_shape(log.samples, log.type, log.initial_orientation);
   const ShapedSwimmer swimmer{log.type, Eigen::Matrix3d::Identity(), dynamic_viscosity_};
-  return towing_drag(swimmer, shape, Vec3::UnitX(), pairs_);
+  return towing_drag(shape, Vec3::UnitX(), pair_mobility(swimmer, pairs_));
 }
 
 void Recorder::record(const Model& model, const ModelTotals& totals) {
   const long step = model.steps_done();
   const double time = time_of_frame(next_frame_);
-  const std::vector<SwimmerPose> swimmers = model.gather_swimmers(time - static_cast<double>(step));
-  const FlowSample now{.time = static_cast<double>(step) * time_step_, .mean_flow = totals.mean_flow};
+  const std::vector<SwimmerMotion> swimmers = model.gather_swimmers(time - static_cast<double>(step));
+  const FlowSample now{.time = static_cast<double>(step) * plan_.time_step, .mean_flow = totals.mean_flow};
   TrajectoryFrame frame{.step = step,
-                        .time = time * time_step_,
+                        .time = time * plan_.time_step,
                         .positions = {},
                         .velocities = {},
                         .mean_flow = now.mean_flow,
                         .momentum = totals.momentum.value_or(Vec3::Zero())};
-  for (const SwimmerPose& swimmer : swimmers) {
-    for (const BeadMotion& bead : swimmer.motion) {
-      frame.positions.push_back(bead.position * units_.length);
-      frame.velocities.push_back(bead.velocity * units_.velocity());
+  for (const SwimmerMotion& swimmer : swimmers) {
+    for (const BeadMotion& bead : swimmer) {
+      frame.positions.push_back(bead.position * plan_.units.length);
+      frame.velocities.push_back(bead.velocity * plan_.units.velocity());
     }
   }
+  if (plan_.settings.frames_with == FrameContent::forces) add_forces(model, frame);
   if (trajectory_ != nullptr) trajectory_->append(frame);
   record_turns(swimmers);
   gather_samples();
@@ -212,17 +217,29 @@ void Recorder::record(const Model& model, const ModelTotals& totals) {
   ++next_frame_;
 }
 
+void Recorder::add_forces(const Model& model, TrajectoryFrame& frame) const {
+  for (const Vec3& force : model.gather_fluid_forces()) frame.forces.push_back(force * plan_.units.force());
+  auto first = frame.positions.begin();
+  for (std::size_t s = 0; s < logs_.size() && first != frame.positions.end(); ++s) {
+    const SwimmerType& type = logs_[s].type;
+    const BeadVectors beads = columns_of_beads({first, first + std::ssize(type.beads)});
+    const BeadVectors drives = driving_forces(type, frame.time, beads, logs_[s].initial_orientation);
+    for (const auto drive : drives.colwise()) frame.drives.emplace_back(drive);
+    first += std::ssize(type.beads);
+  }
+}
+
 // The rotation between two samples is estimated from the velocities at a frame: from the positions alone, it
 // would be known up to whole turns only.
-void Recorder::record_turns(const std::vector<SwimmerPose>& swimmers) {
+void Recorder::record_turns(const std::vector<SwimmerMotion>& swimmers) {
   for (std::size_t s = 0; s < swimmers.size(); ++s) {
     const SwimmerLog& log = logs_[s];
     const double interval = log.type.driving.period / log.samples_per_cycle;
-    const double moment = 0.1 * time_step_;  // so short that velocities change little
+    const double moment = 0.1 * plan_.time_step;  // so short that velocities change little
     std::vector<Vec3> now, later;
-    for (const BeadMotion& bead : swimmers[s].motion) {
-      now.push_back(bead.position * units_.length);
-      later.push_back(now.back() + moment * units_.velocity() * bead.velocity);
+    for (const BeadMotion& bead : swimmers[s]) {
+      now.push_back(bead.position * plan_.units.length);
+      later.push_back(now.back() + moment * plan_.units.velocity() * bead.velocity);
     }
     const Eigen::Matrix3d start =
         fitted_orientation(log.type, columns_of_beads(now), log.initial_orientation);
@@ -237,11 +254,10 @@ std::vector<RunWarning> Recorder::warnings() const {
   std::vector<RunWarning> warnings;
   const double turns = largest_turn_ / (2 * std::numbers::pi);
   if (turns > allowed)
-    warnings.push_back(
-        {"fast-rotation",
-         fmt::format("a swimmer rotates by up to {:.2g} turns between two samples, so that angular velocity, "
-                     "velocity and axis in the record can be wrong; use at least {:.0f} {}",
-                     turns, std::ceil(turns / allowed * frames_per_cycle_), Setting::frames_per_cycle)});
+    add_warning(warnings, "fast-rotation",
+                "a swimmer rotates by up to {:.2g} turns between two samples, so that angular velocity, "
+                "velocity and axis in the record can be wrong; use at least {:.0f} {}",
+                turns, std::ceil(turns / allowed * frames_per_cycle_), Setting::frames_per_cycle);
   return warnings;
 }
 
@@ -251,13 +267,14 @@ void Recorder::append_cycles(long step, double time) {
     const std::vector<CycleStatistics>& cycles = log.record.cycles;
     last.push_back(cycles.empty() ? record_of_nan<CycleStatistics>() : cycles.back());
   }
-  trajectory_->append({.step = step, .time = time, .columns = columns_of(std::move(last), widest_cycle_)});
+  trajectory_->append(
+      {.step = step, .time = time, .columns = columns_of(std::move(last), widest_cycle(layout_))});
 }
 
-void Recorder::append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3& momentum) {
+void Recorder::append_swarm(const std::vector<SwimmerMotion>& swimmers, const Vec3& momentum) {
   std::vector<SwarmMember> members;
   for (std::size_t s = 0; s < swimmers.size(); ++s) {
-    const std::vector<BeadMotion>& motion = swimmers[s].motion;
+    const SwimmerMotion& motion = swimmers[s];
     std::vector<Vec3> positions;
     for (const BeadMotion& bead : motion) positions.push_back(bead.position);
     const SwimmerLog& log = logs_[s];
@@ -266,15 +283,16 @@ void Recorder::append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3
     member.initial_axis = log.initial_orientation.col(0);
     if (!log.record.cycles.empty()) member.last_cycle = log.record.cycles.back();
     for (std::size_t b = 0; b < motion.size(); ++b) {
-      member.centre += motion[b].position * units_.length / static_cast<double>(motion.size());
-      const double speed = motion[b].velocity.norm() * units_.velocity();
-      const double spin = motion[b].angular_velocity.norm() / units_.time;
+      member.centre += motion[b].position * plan_.units.length / static_cast<double>(motion.size());
+      const double speed = motion[b].velocity.norm() * plan_.units.velocity();
+      const double spin = motion[b].angular_velocity.norm() / plan_.units.time;
       member.kinetic_energy += 0.5 * mass(log.type.beads[b]) * speed * speed +
                                0.5 * moment_of_inertia(log.type.beads[b]) * spin * spin;
     }
   }
   const int index = static_cast<int>(next_frame_ / frames_per_cycle_);
-  swarm_.push_back({.statistics = swarm_statistics(index, members, box_), .momentum = momentum});
+  swarm_.push_back(
+      {.statistics = swarm_statistics(index, members, layout_.domain.box), .momentum = momentum});
 }
 
 template <class Message>

@@ -1,16 +1,52 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "beadswim/compare/cycle_statistics.hpp"
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/message.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/h5md.hpp"
 #include "beadswim/run/model.hpp"
 #include "beadswim/theory/methods.hpp"
-#include "record/sampling_schedule.hpp"
 
 namespace beadswim {
+
+/// Sampling times of the swimmers of one type: sample k is taken at the time step nearest to k/per_cycle()
+/// driving periods.
+class SamplingSchedule {
+ public:
+  /// `period`: driving period [step]. The schedule has at most `max_per_cycle` samples per period, and at
+  /// most one sample per time step. A period that is an integer but for rounding errors is rounded, so that
+  /// samples of swimmers with the base period are taken exactly at frames.
+  SamplingSchedule(double period, int max_per_cycle) {
+    const double whole = std::round(period);
+    const double steps = std::abs(period - whole) < 1e-9 * period ? whole : period;
+    per_cycle_ = static_cast<int>(std::min<double>(max_per_cycle, std::floor(steps)));
+    interval_ = steps / per_cycle_;
+  }
+
+  int per_cycle() const { return per_cycle_; }
+  long next_step() const { return next_step_; }  ///< step of the next sample
+  /// Returns the number of the sample nearest to a step.
+  long number_at(long step) const { return std::lround(static_cast<double>(step) / interval_); }
+  /// Returns the exact time of a sample [step].
+  double time_of(long number) const { return static_cast<double>(number) * interval_; }
+
+  /// Skips samples that are due before `step`, which must not be smaller than in the last call.
+  void advance_to(long step) {
+    if (next_step_ >= step) return;
+    const long number = number_at(step), nearest = std::lround(time_of(number));
+    next_step_ = nearest >= step ? nearest : std::lround(time_of(number + 1));
+  }
+
+ private:
+  int per_cycle_ = 1;
+  double interval_ = 1;  ///< [step]
+  long next_step_ = 0;
+};
 
 /// Returns cycle statistics with as many arms as any type of the layout has, at least one. A trajectory has
 /// so many columns; swimmers with fewer arms have NaN in the others.
@@ -22,7 +58,8 @@ CycleStatistics widest_cycle(const Layout& layout);
 /// are taken at equal phases of each driving period of the swimmer.
 class Recorder {
  public:
-  /// `trajectory`: nullptr: frames are not written.
+  /// Plan, layout and communicator must exist as long as the recorder. `trajectory`: nullptr: frames are not
+  /// written.
   Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter* trajectory,
            const Communicator& communicator);
 
@@ -58,19 +95,15 @@ class Recorder {
   void restore(std::vector<char> state, long steps_done);
 
  private:
-  /// Bead positions of one swimmer at one sampling time, sent to rank 0.
+  /// Bead positions and force dipole of one swimmer at one sampling time, sent to rank 0.
   struct PositionSample {
     int id = 0;
     long number = 0;              ///< number of the sample since the start of the run
     double time = 0;              ///< [step]
+    DipoleSample dipole;          ///< [ModelPlan::units]
     std::vector<Vec3> positions;  ///< [ModelPlan::units]
 
-    static void visit_fields(auto&& visit, auto& position_sample) {
-      visit("id", position_sample.id);
-      visit("number", position_sample.number);
-      visit("time", position_sample.time);
-      visit("positions", position_sample.positions);
-    }
+    BEADSWIM_FIELDS(id, number, time, dipole, positions)
   };
   /// Data that rank 0 stores for one swimmer.
   struct SwimmerLog {
@@ -99,21 +132,19 @@ class Recorder {
   /// open space [mass/time]; nothing if beads nearly touch.
   std::optional<double> drag_in_cycle(const SwimmerLog& log, const CycleStatistics& cycle) const;
   /// Updates largest_turn_ with the present motion.
-  void record_turns(const std::vector<SwimmerPose>& swimmers);
+  void add_forces(const Model& model, TrajectoryFrame& frame) const;
+  void record_turns(const std::vector<SwimmerMotion>& swimmers);
   void append_cycles(long step, double time);
-  void append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3& momentum);
+  void append_swarm(const std::vector<SwimmerMotion>& swimmers, const Vec3& momentum);
   template <class Message>
   void transfer(Message& message);
 
   bool is_cycle_end() const { return next_frame_ > 0 && next_frame_ % frames_per_cycle_ == 0; }
 
-  UnitScales units_;
-  double time_step_;
+  const ModelPlan& plan_;
+  const Layout& layout_;
   const Communicator& communicator_;
-  long steps_per_cycle_;
   int frames_per_cycle_;
-  std::optional<Box> box_;
-  BackgroundFlow flow_;
   double dynamic_viscosity_;     ///< [mass/(length time)]
   const Method& towing_method_;  ///< method of theory for the drag of a towed three-bead swimmer
   PairTensorLaw pairs_;          ///< mobility for the drag of another towed swimmer
@@ -128,7 +159,6 @@ class Recorder {
   FlowSample last_frame_;
   std::vector<SwimmerLog> logs_;   ///< one per swimmer, in the order of ids
   double largest_turn_ = 0;        ///< largest rotation of a swimmer between two samples [radian]
-  CycleStatistics widest_cycle_;   ///< with as many arms as any swimmer has
   std::vector<SwarmCycle> swarm_;  ///< one per base cycle; empty for a single swimmer
 };
 

@@ -40,60 +40,37 @@ void require_method(const std::string& name, Setting setting) {
                                           name));
 }
 
-/// Makes runs by one model.
-class ModelEvaluator {
- public:
-  ModelEvaluator(RunModel model, const EvaluatorSettings& settings)
-      : swimmer_(settings.swimmer), stop_(settings.stop) {
-    settings_.model = model;
-    if (settings.cycles) settings_.cycles = *settings.cycles;
-  }
+/// Makes a run on one rank and returns its record.
+RunRecord record_of(RunTask task, const std::function<std::optional<EarlyStop>()>& stop) {
+  const Communicator communicator(MPI_COMM_SELF);
+  const std::unique_ptr<ModelPlan> plan = plan_for(task, communicator);
+  reason_against([&] { plan->expected = expected_errors(task.document.layout, *plan); });
+  RunRecord record = run(task, *plan, {.stop = stop}, communicator).record;
+  if (record.status == RunStatus::stopped_signal) throw StoppedEarly(record.reason);
+  if (record.status != RunStatus::finished) throw SolverError(record.reason);
+  return record;
+}
 
-  Outcomes evaluate(const LayoutDocument& document, const std::string& source) const {
-    const RunRecord record = record_of(document, source);
-    Outcomes sum;
-    const std::vector<const SwimmerRecord*> swimmers = chosen(record, source);
-    for (const SwimmerRecord* swimmer : swimmers) add(record, *swimmer, source, sum);
-    for (auto& [quantity, value] : sum) {
-      if (quantity == ResultQuantity::gap) continue;
-      value.value /= static_cast<double>(swimmers.size());
-      value.error /= static_cast<double>(swimmers.size());
-    }
-    return sum;
-  }
+/// Returns the swimmer with the id `chosen`, or all.
+std::vector<const SwimmerRecord*> chosen_swimmers(const RunRecord& record, const std::optional<int>& chosen,
+                                                  const std::string& source) {
+  if (chosen) return {&find_swimmer(record, *chosen, source)};
+  if (record.swimmers.empty())
+    throw InputError(
+        source, fmt::format("records of more than 64 swimmers do not list them; name one with {}, or make "
+                            "a smaller cell with beadswim-layout reduce",
+                            Setting::swimmer));
+  std::vector<const SwimmerRecord*> all;
+  for (const SwimmerRecord& swimmer : record.swimmers) all.push_back(&swimmer);
+  return all;
+}
 
-  RunTask task(const LayoutDocument& document, const std::string& source) const {
-    return {.document = document, .settings = settings_, .source = source};
-  }
-
- private:
-  RunRecord record_of(const LayoutDocument& document, const std::string& source) const {
-    const Communicator communicator(MPI_COMM_SELF);
-    RunTask wanted = task(document, source);
-    const std::unique_ptr<ModelPlan> plan = plan_for(wanted, communicator);
-    reason_against([&] { plan->expected = expected_errors(document.layout, *plan); });
-    RunRecord record = run(wanted, *plan, {.stop = stop_}, communicator).record;
-    if (record.status == RunStatus::stopped_signal) throw StoppedEarly(record.reason);
-    if (record.status != RunStatus::finished) throw SolverError(record.reason);
-    return record;
-  }
-
-  std::vector<const SwimmerRecord*> chosen(const RunRecord& record, const std::string& source) const {
-    if (swimmer_) return {&find_swimmer(record, *swimmer_, source)};
-    if (record.swimmers.empty())
-      throw InputError(
-          source, fmt::format("records of more than 64 swimmers do not list them; name one with {}, or make "
-                              "a smaller cell with beadswim-layout reduce",
-                              Setting::swimmer));
-    std::vector<const SwimmerRecord*> all;
-    for (const SwimmerRecord& swimmer : record.swimmers) all.push_back(&swimmer);
-    return all;
-  }
-
-  /// Adds the outcomes of one swimmer; the gap is that of the swimmer with the smallest.
-  static void add(const RunRecord& record, const SwimmerRecord& swimmer, const std::string& source,
-                  Outcomes& sum) {
-    for (const auto& [quantity, outcome] : outcomes_of(results_of(record, swimmer, {}, source))) {
+/// Returns the means of the outcomes of swimmers; the gap is that of the swimmer with the smallest.
+Outcomes mean_outcomes(const RunRecord& record, const std::vector<const SwimmerRecord*>& swimmers,
+                       const std::string& source) {
+  Outcomes sum;
+  for (const SwimmerRecord* swimmer : swimmers) {
+    for (const auto& [quantity, outcome] : outcomes_of(results_of(record, *swimmer, {}, source))) {
       const auto [found, is_first] = sum.try_emplace(quantity, outcome);
       if (is_first) continue;
       double& value = found->second.value;
@@ -101,11 +78,31 @@ class ModelEvaluator {
       found->second.error += outcome.error;
     }
   }
+  for (auto& [quantity, outcome] : sum) {
+    if (quantity == ResultQuantity::gap) continue;
+    outcome.value /= static_cast<double>(swimmers.size());
+    outcome.error /= static_cast<double>(swimmers.size());
+  }
+  return sum;
+}
 
-  RunSettings settings_;
-  std::optional<int> swimmer_;
-  std::function<std::optional<StopRequest>()> stop_;
-};
+/// Returns the evaluator by runs of a model.
+Evaluator evaluator_by_model(const std::string& name, const EvaluatorSettings& settings) {
+  RunSettings of_run;
+  of_run.model = from_text<RunModel>(name);
+  if (settings.cycles) of_run.cycles = *settings.cycles;
+  const auto task = [of_run](const LayoutDocument& document, const std::string& source) {
+    return RunTask{.document = document, .settings = of_run, .source = source};
+  };
+  const auto evaluate = [task, settings](const LayoutDocument& document, const std::string& source) {
+    const RunRecord record = record_of(task(document, source), settings.stop);
+    return mean_outcomes(record, chosen_swimmers(record, settings.swimmer, source), source);
+  };
+  const auto require_treatable = [task](const LayoutDocument& document, const std::string& source) {
+    plan_for(task(document, source), Communicator(MPI_COMM_SELF));
+  };
+  return {.name = name, .evaluate = evaluate, .require_treatable = require_treatable};
+}
 
 }  // namespace
 
@@ -115,16 +112,7 @@ bool is_model(const std::string& name) {
 }
 
 Evaluator evaluator_by(const std::string& name, Setting setting, const EvaluatorSettings& settings) {
-  if (is_model(name)) {
-    const ModelEvaluator model(from_text<RunModel>(name), settings);
-    return {.name = name,
-            .evaluate = [model](const LayoutDocument& document,
-                                const std::string& source) { return model.evaluate(document, source); },
-            .require_treatable =
-                [model](const LayoutDocument& document, const std::string& source) {
-                  plan_for(model.task(document, source), Communicator(MPI_COMM_SELF));
-                }};
-  }
+  if (is_model(name)) return evaluator_by_model(name, settings);
   require_method(name, setting);
   const PredictionRequest request{.methods = {name}, .swimmer = settings.swimmer};
   return {

@@ -1,15 +1,15 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include "beadswim/collinear/oseen.hpp"
 #include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/theory/closed_forms.hpp"
 #include "beadswim/theory/linear_response.hpp"
-#include "beadswim/theory/perturbation.hpp"
 #include "confidence.hpp"
 #include "method_rows.hpp"
 
@@ -17,66 +17,60 @@ namespace beadswim {
 
 namespace {
 
-constexpr const char* remedy = "use a method whose name ends in -perturbation";
+constexpr const char* usual_remedy = "use a method whose name ends in -perturbation";
 
 bool equal(double a, double b) {
   constexpr double roundoff = 1e-12;  // relative error of a unit conversion
   return std::abs(a - b) <= roundoff * std::abs(a);
 }
 
-/// Returns why closed forms for equal beads and equal arms cannot treat the question; nullopt if they can.
-std::optional<std::string> unequal_shape(const Question& question) {
-  if (auto obstacle = overlap_obstacle(question)) return obstacle;
-  const CollinearSwimmer& swimmer = question.swimmer;
-  const UnitScales& units = question.units;
-  const auto& radius = swimmer.radius;
-  if (!equal(radius[0], radius[1]) || !equal(radius[0], radius[2])) {
-    return fmt::format("the bead radii {}, {}, {} differ, but the closed form requires equal radii; {}",
-                       radius[0] * units.length, radius[1] * units.length, radius[2] * units.length, remedy);
-  }
-  if (!equal(swimmer.arm[0], swimmer.arm[1])) {
-    return fmt::format("the arm lengths {}, {} differ, but the closed form requires equal arm lengths; {}",
-                       swimmer.arm[0] * units.length, swimmer.arm[1] * units.length, remedy);
-  }
-  return std::nullopt;
+/// Returns a message if the values differ; else an empty text. `unit`: of the values, in the units of the
+/// layout.
+std::string unequal(const std::string& what, std::span<const double> values, double unit,
+                    const std::string& remedy = usual_remedy) {
+  if (std::ranges::all_of(values, [&](double value) { return equal(values[0], value); })) return {};
+  std::vector<double> in_layout;
+  for (const double value : values) in_layout.push_back(value * unit);
+  return fmt::format("the {0} {1} differ, but the closed form requires equal {0}; {2}", what,
+                     fmt::join(in_layout, ", "), remedy);
+}
+
+/// Returns why closed forms for equal beads and equal arms cannot treat the question; empty if they can.
+std::string unequal_shape(const Question& question) {
+  if (std::string obstacle = overlap_obstacle(question); !obstacle.empty()) return obstacle;
+  const double unit = question.units().length;
+  std::string obstacle = unequal("bead radii", question.line().radius, unit);
+  return obstacle.empty() ? unequal("arm lengths", question.line().arm, unit) : obstacle;
 }
 
 /// Returns the same for closed forms that contain the driving.
-std::optional<std::string> unequal_parts(const Question& question) {
-  if (auto obstacle = unequal_shape(question)) return obstacle;
-  const CollinearSwimmer& swimmer = question.swimmer;
-  const UnitScales& units = question.units;
-  if (!equal(swimmer.stiffness[0], swimmer.stiffness[1])) {
-    return fmt::format("the stiffnesses {}, {} differ, but the closed form requires equal stiffnesses; {}",
-                       swimmer.stiffness[0] * units.stiffness(), swimmer.stiffness[1] * units.stiffness(),
-                       remedy);
-  }
-  if (swimmer.damping[0] != 0 || swimmer.damping[1] != 0) {
+std::string unequal_parts(const Question& question) {
+  if (std::string obstacle = unequal_shape(question); !obstacle.empty()) return obstacle;
+  const CollinearSwimmer& swimmer = question.line();
+  const UnitScales& units = question.units();
+  if (swimmer.damping != std::array{0.0, 0.0})
     return fmt::format("the closed form neglects damping, but the springs have the damping {}, {}; {}",
-                       swimmer.damping[0] * units.damping(), swimmer.damping[1] * units.damping(), remedy);
-  }
-  return std::nullopt;
+                       swimmer.damping[0] * units.damping(), swimmer.damping[1] * units.damping(),
+                       usual_remedy);
+  return unequal("stiffnesses", swimmer.stiffness, units.stiffness());
 }
 
-std::optional<std::string> unequal_parts_or_amplitudes(const Question& question) {
-  if (auto obstacle = unequal_parts(question)) return obstacle;
-  const auto& [A, B] = question.swimmer.amplitude;
-  if (equal(A, B)) return std::nullopt;
-  return fmt::format(
-      "equation (4.23) of Pickl et al. 2017 requires equal driving amplitudes A = B, but they are {}, {}; "
-      "use rpy-force-repaired",
-      A * question.units.force(), B * question.units.force());
+std::string unequal_parts_or_amplitudes(const Question& question) {
+  const std::string obstacle = unequal_parts(question);
+  return obstacle.empty() ? unequal("driving amplitudes", question.line().amplitude, question.units().force(),
+                                    "use rpy-force-repaired")
+                          : obstacle;
 }
 
-std::optional<std::string> unequal_for_lowest_order_stroke(const Question& question) {
+std::string unequal_for_lowest_order_stroke(const Question& question) {
   // Equations (4.4) to (4.8) of the paper predict the stroke for equal springs only. A measured stroke does
   // not require these equations.
   return question.measured_stroke ? unequal_shape(question) : unequal_parts(question);
 }
 
-std::optional<std::string> no_measured_stroke(const Question& question) {
-  if (auto obstacle = exact_obstacle(question)) return obstacle;
-  if (question.measured_stroke) return std::nullopt;
+std::string no_measured_stroke(const Question& question) {
+  if (std::string obstacle = exact_obstacle(question); !obstacle.empty()) return obstacle;
+  if (question.measured_stroke) return {};
   return fmt::format("the method needs a measured stroke; give one with {} RUN.json", Setting::stroke_record);
 }
 
@@ -97,7 +91,7 @@ constexpr double usable_distance = 0.25;
 struct ClosedForm {
   const char* method;
   Method::Input input;
-  std::optional<std::string> (*obstacle)(const Question& question);
+  std::string (*obstacle)(const Question& question);
   /// Pair mobility from which the stroke follows to first order in the driving. no_interaction: the stroke of
   /// equations (4.4) to (4.8), to lowest order in lambda/l (bead radius/arm length).
   PairLaw stroke_law;
@@ -116,31 +110,31 @@ const std::vector<ClosedForm>& closed_forms() {
   static const std::vector<ClosedForm> table{
       {"oseen-force-closed", driving, unequal_parts, no_interaction, always, oseen_beads,
        "(4.3) with (4.4) to (4.8), right to lowest order in lambda/l",
-       [](Q q, S) { return oseen_force_velocity(q.swimmer); }},
+       [](Q q, S) { return oseen_force_velocity(q.line()); }},
       {"oseen-stroke-closed", driving_or_stroke, unequal_for_lowest_order_stroke, no_interaction, always, oseen_beads,
        "(4.2), right to lowest order in lambda/l",
-       [](Q q, S stroke) { return oseen_stroke_velocity(q.swimmer, stroke); }},
+       [](Q q, S stroke) { return oseen_stroke_velocity(q.line(), stroke); }},
       {"oseen-ratio-printed", driving, unequal_parts, no_interaction, never, oseen_beads,
        "(4.9) as printed, v_S from v_F of (4.3)",
-       [](Q q, S) { return oseen_ratio_printed(q.swimmer) * oseen_force_velocity(q.swimmer); }},
+       [](Q q, S) { return oseen_ratio_printed(q.line()) * oseen_force_velocity(q.line()); }},
       {"oseen-ratio-repaired", driving_or_stroke, unequal_shape, oseen, always, oseen_beads,
        "(4.9) as it should be, (4.2) over the right ratio: untruncated Oseen theory of this stroke",
-       [](Q q, S stroke) { return oseen_stroke_velocity(q.swimmer, stroke) / oseen_ratio_repaired(q.swimmer); }},
+       [](Q q, S stroke) { return oseen_stroke_velocity(q.line(), stroke) / oseen_ratio_repaired(q.line()); }},
       {"rpy-force-printed", driving, unequal_parts_or_amplitudes, rotne_prager, if_close, rotne_prager_beads,
        "(4.23) as printed, wrong: 8l - 33 lambda should be 10l - 33 lambda, a factor sin alpha is missing, "
        "and its k^4 term vanishes at l = 5 lambda",
-       [](Q q, S) { return rpy_force_velocity_printed(q.swimmer); }},
+       [](Q q, S) { return rpy_force_velocity_printed(q.line()); }},
       {"rpy-force-repaired", driving, unequal_parts, rotne_prager, if_close, rotne_prager_beads,
        "(4.23) mended in its own scheme, which truncates in lambda/l, drops the mean change of the arms and "
        "is poor at small l/lambda",
-       [](Q q, S) { return rpy_force_velocity_repaired(q.swimmer); }},
+       [](Q q, S) { return rpy_force_velocity_repaired(q.line()); }},
       {"rpy-stroke-printed", driving_or_stroke, unequal_shape, rotne_prager, if_close, rotne_prager_beads,
        "(4.24), right as a truncation in lambda/l, with a pole at l = 4.25 lambda",
-       [](Q q, S stroke) { return rpy_stroke_velocity(q.swimmer, stroke); }},
+       [](Q q, S stroke) { return rpy_stroke_velocity(q.line(), stroke); }},
       {"rpy-equal-weight", driving_or_stroke, unequal_shape, rotne_prager, always, rotne_prager_beads,
        "equal-weight mean of the beads' velocities as in (4.18), without truncation in lambda/l but without "
        "the mean change of the arms, which the periodic motion has",
-       [](Q q, S stroke) { return equal_weight_velocity(q.swimmer, stroke); }},
+       [](Q q, S stroke) { return equal_weight_velocity(q.line(), stroke); }},
       {"multipole-stroke", stroke, no_measured_stroke, rotne_prager, exact, exact_beads,
        "exact Stokes flow of three spheres (axisymmetric multipoles) with this stroke", exact_stroke_velocity},
   };
@@ -161,11 +155,11 @@ struct GivenStroke {
 GivenStroke stroke_for(const ClosedForm& form, const Question& question, bool is_measured) {
   if (is_measured)
     return {*question.measured_stroke, question.measured_stroke->sin_phase_shift(), "measured"};
-  Stroke stroke = first_order_stroke(question.swimmer, form.stroke_law);
+  Stroke stroke = first_order_stroke(question.line(), form.stroke_law);
   if (form.stroke_law != no_interaction)
     return {stroke, stroke.sin_phase_shift(), fmt::format("predicted, {} pairs", form.mobility.name)};
-  std::ranges::copy(oseen_arm_amplitudes(question.swimmer), stroke.amplitude.begin());
-  return {stroke, oseen_sin_phase_shift(question.swimmer), "predicted by (4.4) to (4.8)"};
+  std::ranges::copy(oseen_arm_amplitudes(question.line()), stroke.amplitude.begin());
+  return {stroke, oseen_sin_phase_shift(question.line()), "predicted by (4.4) to (4.8)"};
 }
 
 void mark_unusable_by(Use use, double velocity, std::optional<double> exact, Prediction& prediction) {
@@ -195,8 +189,8 @@ Prediction predict_by(const ClosedForm& form, const Question& question) {
   if (form.use != Use::exact)
     prediction.validity += fmt::format(": here {}{}", distance_from_exact(question, velocity, exact),
                                        is_measured ? ", of this stroke" : "");
-  if (question.exact)
-    prediction.uncertainty = relative_uncertainty(velocity, exact, question.exact->amplitude_change);
+  if (question.exact())
+    prediction.uncertainty = relative_uncertainty(velocity, exact, question.exact()->amplitude_change);
   prediction.settings.emplace_back("mobility", form.mobility.name);
   prediction.settings.emplace_back("stroke", origin);
   add_common_limits(question, prediction);
@@ -211,7 +205,7 @@ std::vector<Method> closed_form_methods() {
   for (const ClosedForm& form : closed_forms())
     methods.push_back({.name = form.method,
                        .input = form.input,
-                       .obstacle = form.obstacle,
+                       .obstacle_to_line = form.obstacle,
                        .predict = std::bind_front(predict_by, std::cref(form)),
                        .mobility = &form.mobility});
   return methods;

@@ -5,19 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/theory/linear_response.hpp"
+
 namespace beadswim {
 
 namespace {
 
-/// Returns the speed below which a velocity to second order in amplitude is only roundoff [length/time].
-double velocity_roundoff(const CollinearSwimmer& swimmer, const Stroke& stroke) {
-  constexpr double relative_roundoff = 1e-12;
-  const double largest_swing = std::max(stroke.amplitude[0], stroke.amplitude[1]);
-  return relative_roundoff * swimmer.angular_frequency() * largest_swing * largest_swing / swimmer.arm[0];
-}
-
+/// Returns the velocity; nullopt if it is only roundoff.
 std::optional<double> nullopt_if_roundoff(const Question& question, double velocity, const Stroke& stroke) {
-  if (std::abs(velocity) > velocity_roundoff(question.swimmer, stroke)) return velocity;
+  constexpr double relative_roundoff = 1e-12;
+  if (std::abs(velocity) > relative_roundoff * second_order_scale(question.line(), stroke)) return velocity;
   return std::nullopt;
 }
 
@@ -40,16 +37,16 @@ bool beads_stay_apart(const CollinearSwimmer& swimmer, const Stroke& stroke) {
 }
 
 std::optional<double> exact_velocity(const Question& question) {
-  if (!question.exact) return std::nullopt;
-  return nullopt_if_roundoff(question, question.exact->motion.velocity, question.exact->motion.stroke);
+  if (!question.exact()) return std::nullopt;
+  return nullopt_if_roundoff(question, question.exact()->motion.velocity, question.exact()->motion.stroke);
 }
 
 double exact_stroke_velocity(const Question& question, const Stroke& stroke) {
-  return geometry_factor(question.exact->mobility) * question.swimmer.angular_frequency() * stroke.area();
+  return geometry_factor(question.exact()->mobility) * question.line().angular_frequency() * stroke.area();
 }
 
 std::optional<double> exact_velocity_for_stroke(const Question& question, const Stroke& stroke) {
-  if (!question.exact) return std::nullopt;
+  if (!question.exact()) return std::nullopt;
   return nullopt_if_roundoff(question, exact_stroke_velocity(question, stroke), stroke);
 }
 
@@ -59,7 +56,7 @@ std::optional<double> relative_uncertainty(double velocity, std::optional<double
 }
 
 std::string distance_from_exact(const Question& question, double velocity, std::optional<double> exact) {
-  const double ratio = separation_ratio(question.swimmer);
+  const double ratio = separation_ratio(question.line());
   if (!exact) return "at an unknown distance from exact Stokes flow, or at rest";
   const double percent = 100 * (velocity / *exact - 1);
   return fmt::format("{:.3g} % {} exact Stokes flow at l/lambda {:.3g}", std::abs(percent),
@@ -72,19 +69,19 @@ void mark_unusable(Prediction& prediction, const std::string& reason) {
 }
 
 void mark_unusable_if_beads_touch(const Question& question, Prediction& prediction) {
-  if (!beads_stay_apart(question.swimmer, prediction.stroke)) {
+  if (!beads_stay_apart(question.line(), prediction.stroke)) {
     mark_unusable(prediction, "with this stroke the beads would run into each other");
   }
 }
 
 double penetration_depth_over_arm(const Question& question) {
-  const double nu = question.swimmer.viscosity / question.fluid_density;
-  const double depth = std::sqrt(2 * nu / question.swimmer.angular_frequency());
-  return 2 * depth / (question.swimmer.arm[0] + question.swimmer.arm[1]);
+  const double nu = question.line().viscosity / question.fluid_density();
+  const double depth = std::sqrt(2 * nu / question.line().angular_frequency());
+  return 2 * depth / (question.line().arm[0] + question.line().arm[1]);
 }
 
 void add_driving_settings(const Question& question, Prediction& prediction) {
-  const CollinearSwimmer& swimmer = question.swimmer;
+  const CollinearSwimmer& swimmer = question.line();
   const auto& [A, B] = swimmer.amplitude;
   prediction.settings.emplace_back("period", swimmer.period);
   prediction.settings.emplace_back("amplitude", A);
@@ -97,11 +94,11 @@ void add_driving_settings(const Question& question, Prediction& prediction) {
 void add_amplitude_limit(const Question& question, Prediction& prediction) {
   prediction.validity +=
       fmt::format("; second order in amplitude, which leaves out about {:+.1f} % of the velocity",
-                  100 * question.exact->amplitude_change);
+                  100 * question.exact()->amplitude_change);
 }
 
 void add_common_limits(const Question& question, Prediction& prediction) {
-  if (question.exact) add_amplitude_limit(question, prediction);
+  if (question.exact()) add_amplitude_limit(question, prediction);
   prediction.validity +=
       fmt::format("; alone in unbounded fluid; no inertia of fluid or beads (penetration depth {:.2f} arms)",
                   penetration_depth_over_arm(question));

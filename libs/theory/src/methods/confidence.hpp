@@ -24,11 +24,11 @@ bool beads_stay_apart(const CollinearSwimmer& swimmer, const Stroke& stroke);
 std::optional<double> exact_velocity(const Question& question);
 
 /// Returns the velocity of `stroke` in exact Stokes flow to second order in amplitude, by the geometry factor
-/// [length/time]. Requires `question.exact`.
+/// [length/time]. Requires `question.exact()`.
 double exact_stroke_velocity(const Question& question, const Stroke& stroke);
 
 /// Returns the velocity of `stroke` in exact Stokes flow to second order in amplitude [length/time]; nullopt
-/// if `question.exact` is not set or if the velocity is zero within roundoff.
+/// if `question.exact()` is not set or if the velocity is zero within roundoff.
 std::optional<double> exact_velocity_for_stroke(const Question& question, const Stroke& stroke);
 
 /// Returns sqrt((velocity/exact - 1)^2 + change^2), the estimated relative error of a velocity. `exact` is
@@ -47,7 +47,7 @@ void mark_unusable(Prediction& prediction, const std::string& reason);
 void mark_unusable_if_beads_touch(const Question& question, Prediction& prediction);
 
 /// Appends to `validity` the relative change of the velocity that second-order methods neglect. Requires
-/// `question.exact`.
+/// `question.exact()`.
 void add_amplitude_limit(const Question& question, Prediction& prediction);
 
 /// Adds the settings that all methods share: driving and dimensionless numbers.

@@ -8,9 +8,11 @@
 
 #include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/complex.hpp"
+#include "beadswim/core/error.hpp"
 #include "beadswim/theory/box_mobility.hpp"
-#include "beadswim/theory/box_reynolds_stress.hpp"
 #include "beadswim/theory/inertial_motion.hpp"
+#include "beadswim/theory/linear_response.hpp"
+#include "beadswim/theory/reynolds_stress.hpp"
 #include "beadswim/theory/unsteady_multipole.hpp"
 #include "method_rows.hpp"
 
@@ -34,8 +36,8 @@ double nearest_image(const CollinearSwimmer& swimmer, const BoxPlace& place) {
 /// mobilities: the factor by which finite beads weaken the flow between them, compared with pairs. Returns 1
 /// where the two differ by half or more.
 double weakening_by_beads(const Question& question) {
-  const double pairs = geometry_factor(rest_mobility(question.swimmer, rotne_prager));
-  const double ratio = geometry_factor(question.exact->mobility) / pairs;
+  const double pairs = geometry_factor(rest_mobility(question.line(), rotne_prager));
+  const double ratio = geometry_factor(question.exact()->mobility) / pairs;
   return std::abs(ratio - 1) < 0.5 ? ratio : 1;
 }
 
@@ -50,17 +52,18 @@ struct BoxUncertainty {
 /// one. That of the stroke is the error of the Rotne-Prager mobilities between two beads, twice, because flow
 /// goes from the beads to the images and back.
 BoxUncertainty box_uncertainty(const Question& question) {
-  if (!question.box) return {};
-  const CollinearMobility pairs = rest_mobility(question.swimmer, rotne_prager),
-                          &exact = question.exact->mobility;
+  if (!question.surroundings.box) return {};
+  const CollinearMobility pairs = rest_mobility(question.line(), rotne_prager),
+                          &exact = question.exact()->mobility;
   double mobility = 0;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < i; ++j)
       mobility = std::max(mobility, std::abs(pairs.value(i, j) / exact.value(i, j) - 1));
   }
   const double velocity = std::abs(geometry_factor(pairs) / geometry_factor(exact) - 1);
-  const double arm = (question.swimmer.arm[0] + question.swimmer.arm[1]) / 2;
-  const double closeness = std::max(1.0, std::pow(arm / nearest_image(question.swimmer, *question.box), 3));
+  const double arm = (question.line().arm[0] + question.line().arm[1]) / 2;
+  const double closeness =
+      std::max(1.0, std::pow(arm / nearest_image(question.line(), *question.surroundings.box), 3));
   return {.images = closeness * std::max(velocity, mobility), .mobility = 2 * closeness * mobility};
 }
 
@@ -75,16 +78,18 @@ struct ImageStress {
 /// distance of the nearest image, times the velocity by the Reynolds stress in open space, `exact`.
 ImageStress image_stress(const Question& question, const Eigen::Vector3d& towing,
                          const Eigen::Vector3cd& force, double exact) {
-  const CollinearSwimmer& swimmer = question.swimmer;
-  const auto in_box = reynolds_velocities_in_box(swimmer, question.fluid_density, *question.box, force);
+  const CollinearSwimmer& swimmer = question.line();
+  const auto in_box =
+      reynolds_velocities_in_box(swimmer, question.fluid_density(), *question.surroundings.box, force);
   if (!in_box) {
-    const double share = (swimmer.arm[0] + swimmer.arm[1]) / nearest_image(swimmer, *question.box);
+    const double share =
+        (swimmer.arm[0] + swimmer.arm[1]) / nearest_image(swimmer, *question.surroundings.box);
     return {.change = 0, .uncertainty = share * std::abs(exact)};
   }
   constexpr double mesh = 0.04;  // relative error of reynolds_velocities_in_box()
   const double boxed = towing.dot(*in_box);
   const double open =
-      reynolds_stress_velocity(reynolds_stress_form(swimmer, question.fluid_density, towing).total, force);
+      reynolds_stress_velocity(reynolds_stress_form(swimmer, question.fluid_density(), towing).total, force);
   return {.change = boxed - open, .uncertainty = mesh * std::abs(boxed)};
 }
 
@@ -99,7 +104,7 @@ struct BoxMotion {
 };
 
 BoxMotion box_motion(const Question& question, const ExactInertia& exact) {
-  const CollinearSwimmer& swimmer = question.swimmer;
+  const CollinearSwimmer& swimmer = question.line();
   const UnsteadyMultipoles& flow = exact.flow;
   const InertialScene open = unbounded_scene(question), boxed = inertial_scene(question);
   const Eigen::Matrix3cd mobility = flow.mobility + unsteady_mobility(boxed) - unsteady_mobility(open);
@@ -109,7 +114,7 @@ BoxMotion box_motion(const Question& question, const ExactInertia& exact) {
       mean_motion(flow, swimmer, response.displacement, flow.induced_mobility * force);
   const Eigen::Vector3d by_images = drift_velocities(drift_form(boxed), response.displacement, force) -
                                     drift_velocities(drift_form(open), response.displacement, force);
-  const Eigen::Matrix3d steady = question.exact->mobility.value +
+  const Eigen::Matrix3d steady = question.exact()->mobility.value +
                                  rotne_prager_mobility(boxed.flow, swimmer, boxed.positions).value -
                                  rest_mobility(swimmer, rotne_prager).value;
   const Eigen::Vector3d towing = towing_forces(steady);
@@ -129,7 +134,8 @@ BoxMotion box_motion(const Question& question, const ExactInertia& exact) {
 
 /// Returns |x_1 x_2|/(d_1 d_2): the size of the stroke x = `arm`, relative to that of exact Stokes flow.
 double relative_stroke(const Question& question, const Eigen::Vector2cd& arm) {
-  const double area = question.exact->motion.stroke.amplitude[0] * question.exact->motion.stroke.amplitude[1];
+  const double area =
+      question.exact()->motion.stroke.amplitude[0] * question.exact()->motion.stroke.amplitude[1];
   return area > 0 ? std::abs(arm[0] * arm[1]) / area : 1;
 }
 
@@ -144,9 +150,9 @@ double root_of_squares(std::initializer_list<double> parts) {
 InertialVelocity velocity_parts(const Question& question, const ExactMotion& open, const BoxMotion& boxed,
                                 const PeriodicMotion& finite, const BoxUncertainty& by_box) {
   const double kinematic =
-      velocity_of_stroke(open.response.arm, question.exact->mobility, question.swimmer.angular_frequency());
+      velocity_of_stroke(open.response.arm, question.exact()->mobility, question.line().angular_frequency());
   InertialVelocity v;
-  v.quasi_static = question.exact->motion.velocity;
+  v.quasi_static = question.exact()->motion.velocity;
   v.by_stroke = kinematic - v.quasi_static;
   v.by_drift = open.mean.by_drift - kinematic;
   v.by_reynolds_stress = open.mean.by_reynolds_stress;
@@ -180,10 +186,12 @@ double sin_uncertainty(const Eigen::Vector2cd& y, double relative_error) {
 }  // namespace
 
 ExactInertia exact_inertia(const Question& question) {
-  const CollinearSwimmer& swimmer = question.swimmer;
-  const MultipoleResolution resolution = sufficient_resolution(swimmer).value();
+  const CollinearSwimmer& swimmer = question.line();
+  if (const std::string obstacle = unsteady_multipole_obstacle(question); !obstacle.empty())
+    throw InputError(obstacle);
+  const MultipoleResolution resolution = *sufficient_resolution(swimmer);
   const auto flow_at = [&](const MultipoleResolution& multipoles) {
-    return unsteady_multipoles(swimmer, question.fluid_density, multipoles);
+    return unsteady_multipoles(swimmer, question.fluid_density(), multipoles);
   };
   const UnsteadyMultipoles flow = flow_at(resolution);
   const ExactMotion motion = exact_motion(flow, swimmer);
@@ -198,10 +206,10 @@ ExactInertia exact_inertia(const Question& question) {
 
 double amplitude_uncertainty(const Question& question, const ExactMotion& motion, double by_amplitude) {
   const auto& [response, mean] = motion;
-  const CollinearSwimmer& swimmer = question.swimmer;
-  const double omega = swimmer.angular_frequency(), nu = swimmer.viscosity / question.fluid_density;
-  const double quasi_static = question.exact->motion.velocity;
-  const double kinematic = velocity_of_stroke(response.arm, question.exact->mobility, omega);
+  const CollinearSwimmer& swimmer = question.line();
+  const double omega = swimmer.angular_frequency(), nu = swimmer.viscosity / question.fluid_density();
+  const double quasi_static = question.exact()->motion.velocity;
+  const double kinematic = velocity_of_stroke(response.arm, question.exact()->mobility, omega);
   const double inertial = std::abs(kinematic - quasi_static) + std::abs(mean.by_drift - kinematic) +
                           std::abs(mean.by_reynolds_stress);
   const double share = quasi_static != 0 ? std::min(1.0, inertial / std::abs(quasi_static)) : 1;
@@ -212,14 +220,14 @@ double amplitude_uncertainty(const Question& question, const ExactMotion& motion
 }
 
 InertiaCorrected inertia_corrected(const Question& question) {
-  const CollinearSwimmer& swimmer = question.swimmer;
-  const ExactInertia exact = inertia_of(question);
+  const CollinearSwimmer& swimmer = question.line();
+  const ExactInertia& exact = *question.inertia();
   const ExactMotion& open = exact.motion;
-  const BoxMotion boxed = question.box
+  const BoxMotion boxed = question.surroundings.box
                               ? box_motion(question, exact)
                               : BoxMotion{.arm = open.response.arm, .velocity = open.mean.velocity()};
-  const PeriodicMotion finite = finite_motion(question);
-  const PeriodicMotion& small = question.exact->motion;
+  const PeriodicMotion& finite = *question.finite();
+  const PeriodicMotion& small = question.exact()->motion;
   const BoxUncertainty by_pairs = box_uncertainty(question);
 
   InertiaCorrected best;

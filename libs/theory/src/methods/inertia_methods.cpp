@@ -8,6 +8,7 @@
 #include "beadswim/theory/box_mobility.hpp"
 #include "beadswim/theory/inertia_corrected.hpp"
 #include "beadswim/theory/inertial_motion.hpp"
+#include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/reynolds_stress.hpp"
 #include "beadswim/theory/unsteady_multipole.hpp"
 #include "confidence.hpp"
@@ -19,12 +20,12 @@ namespace {
 
 /// Returns a message if a bead is so large, relative to the penetration depth, that exp(kappa) overflows.
 /// kappa: bead radius times |alpha| (inverse_penetration_depth).
-std::optional<std::string> penetration_depth_obstacle(const Question& question) {
+std::string penetration_depth_obstacle(const Question& question) {
   constexpr double largest_kappa = 200;
-  const CollinearSwimmer& swimmer = question.swimmer;
+  const CollinearSwimmer& swimmer = question.line();
   const double largest = *std::max_element(swimmer.radius.begin(), swimmer.radius.end());
-  const double kappa = std::abs(inverse_penetration_depth(swimmer, question.fluid_density)) * largest;
-  if (kappa < largest_kappa) return std::nullopt;
+  const double kappa = std::abs(inverse_penetration_depth(swimmer, question.fluid_density())) * largest;
+  if (kappa < largest_kappa) return {};
   return fmt::format(
       "the penetration depth is {:.3g} times smaller than the largest bead radius, above the limit of {:.3g} "
       "times; increase {} or {}",
@@ -32,7 +33,7 @@ std::optional<std::string> penetration_depth_obstacle(const Question& question) 
 }
 
 std::string surroundings(const Question& question) {
-  return question.box ? "the layout's box" : "unbounded";
+  return question.surroundings.box ? "the layout's box" : "unbounded";
 }
 
 void add_settings(const Question& question, Prediction& prediction) {
@@ -52,49 +53,46 @@ std::optional<double> pair_uncertainty(const Question& question, double quasi_st
   const double pair_error = std::abs(quasi_static / *exact - 1),
                inertial = std::abs(velocity / quasi_static - 1);
   return std::hypot(pair_error * (1 + inertial) + std::abs(within_beads / velocity),
-                    question.exact->amplitude_change);
+                    question.exact()->amplitude_change);
 }
 
 }  // namespace
 
-std::optional<std::string> inertia_obstacle(const Question& question) {
-  if (auto obstacle = overlap_obstacle(question)) return obstacle;
-  if (!question.box_obstacle.empty()) return question.box_obstacle;
-  if (question.box) {
-    if (auto overlap = image_overlap(question.swimmer, *question.box)) return overlap;
-  }
+std::string inertia_obstacle(const Question& question) {
+  if (std::string obstacle = overlap_obstacle(question); !obstacle.empty()) return obstacle;
+  if (!question.surroundings.obstacle.empty()) return question.surroundings.obstacle;
+  if (std::string obstacle = image_overlap_obstacle(question); !obstacle.empty()) return obstacle;
   return penetration_depth_obstacle(question);
 }
 
-std::optional<std::string> unsteady_multipole_obstacle(const Question& question) {
-  if (auto obstacle = exact_obstacle(question)) return obstacle;
-  if (auto obstacle = penetration_depth_obstacle(question)) return obstacle;
-  if (sufficient_resolution(question.swimmer)) return std::nullopt;
+std::string unsteady_multipole_obstacle(const Question& question) {
+  if (std::string obstacle = exact_obstacle(question); !obstacle.empty()) return obstacle;
+  if (std::string obstacle = penetration_depth_obstacle(question); !obstacle.empty()) return obstacle;
+  if (sufficient_resolution(question.line())) return {};
   return fmt::format(
       "beads nearly touch at rest (separation ratio l/lambda = {:.5g}), and the flow would need more than "
       "100 multipoles per bead; use the less accurate method unsteady-response",
-      separation_ratio(question.swimmer));
+      separation_ratio(question.line()));
 }
 
-std::optional<std::string> inertia_corrected_obstacle(const Question& question) {
-  if (auto obstacle = unsteady_multipole_obstacle(question)) return obstacle;
+std::string inertia_corrected_obstacle(const Question& question) {
+  if (std::string obstacle = unsteady_multipole_obstacle(question); !obstacle.empty()) return obstacle;
   return inertia_obstacle(question);
 }
 
 Prediction predict_unsteady_multipole(const Question& question) {
-  const CollinearSwimmer& swimmer = question.swimmer;
-  const ExactInertia exact = inertia_of(question);
+  const CollinearSwimmer& swimmer = question.line();
+  const ExactInertia& exact = *question.inertia();
   const auto& [response, motion] = exact.motion;
 
-  Prediction prediction;
-  prediction.velocity = motion.velocity();
-  prediction.stroke = stroke_of(response.arm);
-  prediction.sin_phase_shift = prediction.stroke.sin_phase_shift();
-  prediction.arm_means = {swimmer.arm[0] + motion.arm_changes[0], swimmer.arm[1] + motion.arm_changes[1]};
+  Prediction prediction = prediction_from({.velocity = motion.velocity(),
+                                           .stroke = stroke_of(response.arm),
+                                           .arm_changes = {motion.arm_changes[0], motion.arm_changes[1]}},
+                                          swimmer.arm);
   const double gross = std::abs(motion.by_drift) + std::abs(motion.by_reynolds_stress);
   constexpr double roundoff = 1e-12;
   if (std::abs(motion.velocity()) > roundoff * gross) {
-    const double by_amplitude = question.exact->amplitude_change * question.exact->motion.velocity;
+    const double by_amplitude = question.exact()->amplitude_change * question.exact()->motion.velocity;
     const double uncertainty = exact.numerical_error + std::abs(by_amplitude) +
                                amplitude_uncertainty(question, exact.motion, by_amplitude);
     prediction.uncertainty = uncertainty / std::abs(motion.velocity());
@@ -115,13 +113,13 @@ Prediction predict_unsteady_multipole(const Question& question) {
 
 Prediction predict_unsteady_response(const Question& question) {
   const InertialScene scene = inertial_scene(question);
-  const LinearResponse response = linear_response(question.swimmer, unsteady_mobility(scene));
+  const LinearResponse response = linear_response(question.line(), unsteady_mobility(scene));
   const double drift = lagrangian_drift(scene, response);
   const ReynoldsForm form = reynolds_form(scene);
   const Eigen::Vector3cd force = induced_forces(scene, response);
   const double reynolds = reynolds_stress_velocity(form.total, force);
   const double quasi_static =
-      second_order_motion(question.swimmer, rest_mobility(question.swimmer, rotne_prager)).velocity;
+      second_order_motion(question.line(), rest_mobility(question.line(), rotne_prager)).velocity;
 
   Prediction prediction;
   prediction.velocity = drift + reynolds;
@@ -133,7 +131,7 @@ Prediction predict_unsteady_response(const Question& question) {
   prediction.validity = fmt::format(
       "unsteady Stokes flow with beads' and fluid's inertia, unsteady Faxen pairs, {}; second order in "
       "amplitude with Lagrangian drift and Reynolds stress{}; its pairs without inertia are {}",
-      surroundings(question), question.box ? " (that without images)" : "",
+      surroundings(question), question.surroundings.box ? " (that without images)" : "",
       distance_from_exact(question, quasi_static, exact));
   mark_unusable_if_beads_touch(question, prediction);
   prediction.settings.emplace_back("mobility", "unsteady Faxen");
@@ -159,9 +157,11 @@ Prediction predict_inertia_corrected(const Question& question) {
   prediction.validity = fmt::format(
       "exact unsteady Stokes flow of three spheres with beads' and fluid's inertia; finite amplitude from "
       "exact steady Stokes flow; {}; compressibility and the lattice's own errors are not in it",
-      question.box ? "images in the layout's box as unsteady Faxen pairs with their Reynolds stress" : "no box");
-  prediction.settings.emplace_back("mobility",
-                                   question.box ? "exact, box by unsteady Faxen pairs" : "exact, unsteady");
+      question.surroundings.box
+          ? "images in the layout's box as unsteady Faxen pairs with their Reynolds stress"
+          : "no box");
+  prediction.settings.emplace_back(
+      "mobility", question.surroundings.box ? "exact, box by unsteady Faxen pairs" : "exact, unsteady");
   prediction.settings.emplace_back("velocity_quasi_static", v.quasi_static);
   prediction.settings.emplace_back("velocity_by_stroke", v.by_stroke);
   prediction.settings.emplace_back("velocity_by_drift", v.by_drift);

@@ -4,49 +4,40 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "beadswim/core/joined.hpp"
 #include "beadswim/core/reason_against.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/scene/check.hpp"
 #include "beadswim/scene/unit_scales.hpp"
-#include "beadswim/scene/units.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/methods.hpp"
-#include "beadswim/theory/surroundings.hpp"
 
 namespace beadswim {
 namespace {
 
-/// A swimmer as theory treats it: three beads that stay on a line, or any other shape.
-using TheorySwimmer = std::variant<CollinearSwimmer, ShapedSwimmer>;
+/// Returns the mean position of the beads at rest [length].
+Vec3 mean_position(const SwimmerType& type, const Swimmer& swimmer) {
+  return columns_of_beads(rest_positions(type, swimmer.position, swimmer.orientation())).rowwise().mean();
+}
 
-/// Returns the parameters of a swimmer that theory needs. Throws InputError, with layout and swimmer in the
-/// message, if a spring of a three-bead swimmer has no stiffness.
-TheorySwimmer theory_swimmer(const Layout& layout, const Swimmer& swimmer, const std::string& source) {
+/// Returns the parameters of a swimmer that theory needs.
+TheorySwimmer theory_swimmer(const Layout& layout, const Swimmer& swimmer) {
   const SwimmerType type = layout.resolved_type(swimmer);
   const double viscosity = layout.fluid.dynamic_viscosity();
   const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
   const bool is_at_rest = !layout.domain.half_space && layout.flow.is_zero();
-  if (!three || !stays_on_a_line(*three, swimmer.axis) || !is_at_rest) {
-    ShapedSwimmer shape{.type = type,
-                        .orientation = swimmer.orientation(),
-                        .viscosity = viscosity,
-                        .half_space = layout.domain.half_space,
-                        .flow = layout.flow};
-    if (shape.is_held())
-      shape.place =
-          columns_of_beads(rest_positions(type, swimmer.position, shape.orientation)).rowwise().mean();
-    if (const auto& half_space = layout.domain.half_space)  // nothing changes along the wall
-      shape.place = half_space->height(shape.place) * Vec3::Unit(half_space->axis);
-    return shape;
-  }
-  try {
+  if (three && stays_on_a_line(*three, swimmer.axis) && is_at_rest)
     return collinear_swimmer(*three, swimmer.axis, viscosity);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: swimmer {}", source, swimmer.id), error.what());
-  }
+  ShapedSwimmer shape{.type = type,
+                      .orientation = swimmer.orientation(),
+                      .viscosity = viscosity,
+                      .half_space = layout.domain.half_space,
+                      .flow = layout.flow};
+  if (shape.is_held()) shape.place = mean_position(type, swimmer);
+  if (const auto& half_space = layout.domain.half_space)  // nothing changes along the wall
+    shape.place = half_space->height(shape.place) * Vec3::Unit(half_space->axis);
+  return shape;
 }
 
 const Swimmer& find_swimmer(const Layout& layout, int id, const std::string& source) {
@@ -62,9 +53,9 @@ const Swimmer& find_swimmer(const Layout& layout, int id, const std::string& sou
 /// because one prediction would then not be valid for all.
 const Swimmer& find_common_swimmer(const Layout& layout, const std::string& source) {
   const Swimmer& first = layout.swimmers.front();
-  const TheorySwimmer common = theory_swimmer(layout, first, source);
+  const TheorySwimmer common = theory_swimmer(layout, first);
   for (const Swimmer& other : layout.swimmers) {
-    if (theory_swimmer(layout, other, source) == common) continue;
+    if (theory_swimmer(layout, other) == common) continue;
     throw InputError(
         source, fmt::format("swimmers {} and {} differ, but a prediction is for one swimmer; name the "
                             "swimmer with {} ID{}",
@@ -75,16 +66,20 @@ const Swimmer& find_common_swimmer(const Layout& layout, const std::string& sour
 }
 
 /// Returns the measured stroke. Throws InputError if units or driving period of the run differ from those of
-/// the layout.
-Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const MeasuredStroke& measured,
-                  const UnitScales& units) {
+/// the layout, or if no method can use a stroke.
+Stroke stroke_for(const Layout& layout, const Question& question, const MeasuredStroke& measured) {
+  if (!question.is_line())
+    throw InputError(
+        Setting::stroke_record,
+        "no method can use a measured stroke for this swimmer; such methods are for three beads on a "
+        "line in fluid at rest");
   const std::string where = fmt::format("{} {}", Setting::stroke_record, measured.source);
-  if (!same_units(layout.units, measured.units)) {
+  if (layout.units != measured.units) {
     throw InputError(
         where, "the run's units of length and time differ from the layout's; give a run of the same layout");
   }
   constexpr double period_tolerance = 1e-9;  // relative; allows for rounding errors
-  const double period = swimmer.period * units.time;
+  const double period = question.line().period * question.units().time;
   if (std::abs(measured.period / period - 1) > period_tolerance) {
     throw InputError(
         where,
@@ -92,30 +87,30 @@ Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const M
                     measured.period, period));
   }
   Stroke stroke = measured.stroke;
-  for (double& amplitude : stroke.amplitude) amplitude /= units.length;
+  for (double& amplitude : stroke.amplitude) amplitude /= question.units().length;
   return stroke;
 }
 
-// lacks_input() returns true if the method needs a measured stroke, or a box, that the question does not
-// contain, or three beads on a line. A request for all methods omits such a method without a message.
-bool lacks_input(const Method& method, const ShapeQuestion&) {
-  return method.predict_shape == nullptr;
-}
+/// Returns true if the method needs a measured stroke, or a box, that the question does not contain, or
+/// another kind of swimmer, or if it is slow. A request for all methods omits such a method without a
+/// message.
 bool lacks_input(const Method& method, const Question& question) {
+  if (!question.is_line() && method.is_slow_for_shapes) return true;
+  if ((question.is_line() ? method.obstacle_to_line : method.obstacle_to_shape) == nullptr) return true;
   const bool lacks_stroke = method.input == Method::Input::stroke && !question.measured_stroke;
-  const bool lacks_box =
-      method.input == Method::Input::driving_in_box && !question.box && question.box_obstacle.empty();
+  const bool lacks_box = method.input == Method::Input::driving_in_box && !question.surroundings.box &&
+                         question.surroundings.obstacle.empty();
   return lacks_stroke || lacks_box;
 }
 
-/// Adds the predictions of all methods that can treat the question, a Question or a ShapeQuestion.
-void predict_by_all(const auto& question, LayoutPredictions& predicted) {
+/// Adds the predictions of all methods that can treat the question.
+void predict_by_all(const Question& question, LayoutPredictions& predicted) {
   for (const Method& method : methods()) {
     if (lacks_input(method, question)) continue;
-    std::optional<std::string> reason;
-    if constexpr (std::same_as<decltype(question), const Question&>) reason = method.obstacle(question);
-    if (!reason) reason = reason_against([&] { predicted.predictions.push_back(predict(method, question)); });
-    if (!reason->empty()) predicted.left_out.push_back({method.name, *reason});
+    std::string reason = obstacle(method, question);
+    if (reason.empty())
+      reason = reason_against([&] { predicted.predictions.push_back(predict(method, question)); });
+    if (!reason.empty()) predicted.left_out.push_back({method.name, reason});
   }
   if (predicted.predictions.empty()) {
     throw InputError(fmt::format("{} {}", Setting::method, all_methods),
@@ -125,7 +120,8 @@ void predict_by_all(const auto& question, LayoutPredictions& predicted) {
 }
 
 /// Adds the predictions of the named methods.
-void predict_by(const std::vector<std::string>& names, const auto& question, LayoutPredictions& predicted) {
+void predict_by(const std::vector<std::string>& names, const Question& question,
+                LayoutPredictions& predicted) {
   if (names == std::vector<std::string>{all_methods}) return predict_by_all(question, predicted);
   for (const std::string& name : names) {
     if (name == all_methods)
@@ -155,23 +151,6 @@ void check_stroke_is_used(const LayoutPredictions& predicted, const Question& qu
                                joined(users, ", "), Setting::method));
 }
 
-void predict_line(const CollinearSwimmer& line, const Layout& layout, const Swimmer& swimmer,
-                  const PredictionRequest& request, const UnitScales& units, LayoutPredictions& predicted) {
-  const Surroundings surroundings = surroundings_of(layout, swimmer);
-  Question question = with_exact_reference({.swimmer = line,
-                                            .fluid_density = layout.fluid.density,
-                                            .box = surroundings.box,
-                                            .box_obstacle = surroundings.obstacle,
-                                            .units = units});
-  if (request.measured)
-    question.measured_stroke = stroke_for(layout, question.swimmer, *request.measured, units);
-  if (request.methods == std::vector<std::string>{all_methods})
-    question = with_open_space_motion(std::move(question));
-  predict_by(request.methods, question, predicted);
-  check_stroke_is_used(predicted, question);
-  predicted.warnings = warnings(question, request.tolerance);
-}
-
 /// Returns the unit of a setting of a prediction.
 double unit_of(const std::string& setting, const UnitScales& units) {
   if (setting == "period") return units.time;
@@ -188,6 +167,10 @@ void to_layout_units(Prediction& prediction, const UnitScales& units) {
   if (auto& angular_velocity = prediction.angular_velocity) *angular_velocity /= units.time;
   for (double& amplitude : prediction.stroke.amplitude) amplitude *= units.length;
   if (auto& power = prediction.power) *power *= units.power();
+  if (auto& dipole = prediction.dipole) {
+    dipole->axial *= units.energy();
+    for (double& component : dipole->tensor) component *= units.energy();
+  }
   if (auto& means = prediction.arm_means)
     for (double& mean : *means) mean *= units.length;
   for (auto& [name, value] : prediction.settings)
@@ -196,6 +179,13 @@ void to_layout_units(Prediction& prediction, const UnitScales& units) {
 
 }  // namespace
 
+bool are_predicted_alike(const Layout& layout, int a, int b) {
+  const auto first = std::ranges::find(layout.swimmers, a, &Swimmer::id);
+  const auto second = std::ranges::find(layout.swimmers, b, &Swimmer::id);
+  if (first == layout.swimmers.end() || second == layout.swimmers.end()) return false;
+  return theory_swimmer(layout, *first) == theory_swimmer(layout, *second);
+}
+
 LayoutPredictions predict_layout(const Layout& in_layout_units, const std::string& source,
                                  const PredictionRequest& request) {
   const UnitScales units = natural_units(in_layout_units);
@@ -203,17 +193,16 @@ LayoutPredictions predict_layout(const Layout& in_layout_units, const std::strin
   const Swimmer& swimmer =
       request.swimmer ? find_swimmer(layout, *request.swimmer, source) : find_common_swimmer(layout, source);
   LayoutPredictions predicted{.units = layout.units, .swimmer = swimmer.id};
-  const TheorySwimmer treated = theory_swimmer(layout, swimmer, source);
-  if (const auto* line = std::get_if<CollinearSwimmer>(&treated)) {
-    predict_line(*line, layout, swimmer, request, units, predicted);
-  } else if (request.measured) {
-    throw InputError(
-        Setting::stroke_record,
-        "no method can use a measured stroke for this swimmer; such methods are for three beads on a "
-        "line in fluid at rest");
-  } else {
-    const ShapeQuestion question{std::get<ShapedSwimmer>(treated), layout.fluid.density, units};
-    predict_by(request.methods, question, predicted);
+  Question question(theory_swimmer(layout, swimmer), layout.fluid.density, units);
+  const SwimmerType type = layout.resolved_type(swimmer);
+  question.surroundings = question.is_line() ? surroundings_of(layout, swimmer)
+                                             : surroundings_of_shape(layout, mean_position(type, swimmer),
+                                                                     type.driving.net_force);
+  if (request.measured) question.measured_stroke = stroke_for(layout, question, *request.measured);
+  predict_by(request.methods, question, predicted);
+  if (question.is_line()) {
+    check_stroke_is_used(predicted, question);
+    predicted.warnings = warnings(question, request.tolerance);
   }
   for (Prediction& prediction : predicted.predictions) to_layout_units(prediction, units);
   if (std::string warning = warning_of_fixed_forces(layout); !warning.empty())

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/collinear/rotne_prager.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
-#include "beadswim/swimmers/swimmer_shape.hpp"
-#include "beadswim/theory/linear_response.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -19,7 +18,9 @@ std::array<double, 3> box_over_length(const Box& domain, const SwimmerType& type
   return {domain.lengths[0] / length, domain.lengths[1] / length, domain.lengths[2] / length};
 }
 
-TypeNumbers type_numbers(const SwimmerType& type, const Layout& layout) {
+using Motion = std::optional<FirstOrderMotion>;
+
+TypeNumbers type_numbers(const SwimmerType& type, const Motion& motion, const Layout& layout) {
   const double nu = layout.fluid.kinematic_viscosity;
   const double omega = 2 * std::numbers::pi / type.driving.period;
   TypeNumbers numbers;
@@ -32,26 +33,24 @@ TypeNumbers type_numbers(const SwimmerType& type, const Layout& layout) {
     const double drag = 6 * std::numbers::pi * layout.fluid.dynamic_viscosity() * radius;
     numbers.arm_over_radius.push_back(bond.rest_length / radius);
     numbers.drag_over_spring.push_back(drag * omega / bond.stiffness);
-    numbers.arm_gap.push_back(bond.rest_length - 2 * radius);
+    numbers.arm_gaps.push_back(bond.rest_length - 2 * radius);
   }
-  if (layout.domain.box) numbers.box_over_length = box_over_length(*layout.domain.box, type);
+  if (layout.domain.box) numbers.box_over_swimmer_length = box_over_length(*layout.domain.box, type);
   if (const double shear_rate = layout.flow.shear_rate(); shear_rate > 0) {
     numbers.strain_per_period = shear_rate * type.driving.period;
     numbers.shear_reynolds = shear_rate * largest * largest / nu;
   }
-  const auto swimmer = collinear_swimmer(type, layout.fluid.dynamic_viscosity());
-  if (!swimmer) return numbers;
-  const std::array<double, 3> speed = bead_speeds(*swimmer);
-  numbers.phase = swimmer->phase;
-  numbers.reynolds = 0;
-  for (int i = 0; i < 3; ++i)
-    numbers.reynolds = std::max(*numbers.reynolds, 2 * type.beads[i].radius * speed[i] / nu);
-  const Stroke stroke = first_order_stroke(*swimmer, rotne_prager);
-  numbers.arm_amplitude = stroke.amplitude;
+  if (const auto three = three_bead_form(type)) numbers.phase = three->driving.phase;
+  if (!motion) return numbers;
+  numbers.reynolds_bead = 0;
+  for (std::size_t b = 0; b < type.beads.size(); ++b)
+    numbers.reynolds_bead =
+        std::max(*numbers.reynolds_bead, 2 * type.beads[b].radius * motion->bead_speeds[b] / nu);
+  numbers.arm_amplitudes = motion->stroke.amplitude;
   return numbers;
 }
 
-ResolutionNumbers resolution_numbers(const Layout& layout) {
+ResolutionNumbers resolution_numbers(const std::map<std::string, Motion>& motions, const Layout& layout) {
   ResolutionNumbers numbers;
   numbers.cell = smallest_radius(layout) / layout.resolution->cells_per_radius;
   numbers.time_step = (layout.resolution->relaxation_time - 0.5) / 3 * numbers.cell * numbers.cell /
@@ -61,9 +60,9 @@ ResolutionNumbers resolution_numbers(const Layout& layout) {
   bool is_known = true;
   for (const auto& [name, type] : layout.types) {
     numbers.steps_per_period[name] = type.driving.period / numbers.time_step;
-    const auto swimmer = collinear_swimmer(type, layout.fluid.dynamic_viscosity());
-    is_known = is_known && swimmer;
-    if (swimmer) fastest = std::max(fastest, std::ranges::max(bead_speeds(*swimmer)));
+    const Motion& motion = motions.at(name);
+    is_known = is_known && motion;
+    if (motion) fastest = std::max(fastest, motion->largest_speed());
   }
   if (is_known) numbers.mach = fastest / sound_speed;
   if (layout.domain.box) numbers.cells_in_box = layout.domain.box->lengths.prod() / std::pow(numbers.cell, 3);
@@ -89,22 +88,28 @@ void add_start_displacements(const Layout& layout, std::map<std::string, TypeNum
 
 }  // namespace
 
-std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer) {
-  const Eigen::Matrix3d mobility = rest_mobility(swimmer, rotne_prager).value;
-  const Eigen::Vector3cd force = linear_response(swimmer, mobility).force;
-  const Eigen::Vector3cd velocity = mobility.cast<std::complex<double>>() * force;
-  return {std::abs(velocity[0]), std::abs(velocity[1]), std::abs(velocity[2])};
+std::optional<FirstOrderMotion> predicted_motion(const SwimmerType& type, const Fluid& fluid,
+                                                 const Eigen::Matrix3d& orientation) {
+  std::optional<FirstOrderMotion> motion;
+  reason_against([&] {
+    motion = first_order_motion({type, orientation, fluid.dynamic_viscosity()}, rotne_prager_tensor);
+  });
+  return motion;
 }
 
 SceneNumbers scene_numbers(const Layout& layout) {
   SceneNumbers numbers;
-  for (const auto& [name, type] : layout.types) numbers.types[name] = type_numbers(type, layout);
+  std::map<std::string, Motion> motions;
+  for (const auto& [name, type] : layout.types) {
+    motions[name] = predicted_motion(type, layout.fluid);
+    numbers.types[name] = type_numbers(type, motions[name], layout);
+  }
   add_start_displacements(layout, numbers.types);
   const std::vector<PlacedBead> beads = placed_beads(layout);
   numbers.smallest_gap = smallest_gap(beads, layout.domain);
   if (const auto& half_space = layout.domain.half_space)
     numbers.smallest_relative_height = smallest_relative_height(beads, *half_space);
-  if (layout.resolution) numbers.resolution = resolution_numbers(layout);
+  if (layout.resolution) numbers.resolution = resolution_numbers(motions, layout);
   return numbers;
 }
 

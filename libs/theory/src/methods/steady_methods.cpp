@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "beadswim/collinear/rotne_prager.hpp"
+#include "beadswim/core/reason_against.hpp"
 #include "beadswim/theory/box_mobility.hpp"
-#include "beadswim/theory/periodic_motion.hpp"
+#include "beadswim/theory/linear_response.hpp"
 #include "confidence.hpp"
 #include "method_rows.hpp"
 
@@ -18,24 +19,25 @@ namespace {
 
 constexpr const char* exact_flow = "exact Stokes flow of three spheres (axisymmetric multipoles)";
 
-/// Returns boundary and length of each axis, such as "periodic 128, periodic 80, periodic 80", with the
-/// swimmer's axis first.
-std::string box_text(const Box& box, double unit) {
-  const auto axis = [&](int i) {
-    return fmt::format("{} {:.6g}", to_text(box.boundary[i]), box.lengths[i] * unit);
-  };
-  return axis(0) + ", " + axis(1) + ", " + axis(2);
+/// Returns the swimmer of another shape in its box.
+ShapedSwimmer shape_in_box(const Question& question) {
+  const auto& [box, place] = *question.surroundings.box;
+  ShapedSwimmer swimmer = question.shape();
+  swimmer.box = box;
+  swimmer.place = Vec3(place[0], place[1], place[2]);
+  return swimmer;
 }
 
 MobilityFunction mobility_in_box(const Question& question) {
-  return [&swimmer = question.swimmer, flow = box_line_flow(*question.box, question.swimmer.viscosity)](
+  return [&swimmer = question.line(),
+          flow = box_line_flow(*question.surroundings.box, question.line().viscosity)](
              const LinePositions& x) { return rotne_prager_mobility(flow, swimmer, x); };
 }
 
 /// Adds the validity, the uncertainty and the settings that the methods rpy-box-perturbation and rpy-box-ode
 /// share. `second_order`: velocity in the box to second order in amplitude [length/time].
 void add_box_limits(const Question& question, double second_order, Prediction& prediction) {
-  const CollinearSwimmer& swimmer = question.swimmer;
+  const CollinearSwimmer& swimmer = question.line();
   const double unbounded = second_order_motion(swimmer, rest_mobility(swimmer, rotne_prager)).velocity;
   const std::optional<double> exact = exact_velocity(question);
   prediction.validity = fmt::format(
@@ -43,7 +45,8 @@ void add_box_limits(const Question& question, double second_order, Prediction& p
       "inertia, which screens images (penetration depth {:.2f} arms)",
       distance_from_exact(question, unbounded, exact), penetration_depth_over_arm(question));
   prediction.settings.emplace_back("mobility", "Rotne-Prager");
-  prediction.settings.emplace_back("fluid", "box: " + box_text(question.box->box, question.units.length));
+  prediction.settings.emplace_back(
+      "fluid", "box: " + box_text(question.surroundings.box->box, question.units().length));
   if (exact) prediction.settings.emplace_back("velocity_over_unbounded", second_order / unbounded);
   add_driving_settings(question, prediction);
   prediction.uncertainty = relative_uncertainty(unbounded, exact, 0);
@@ -54,16 +57,39 @@ std::optional<double> numerical_uncertainty(const Question& question, const Peri
   constexpr double series_error = 1e-8;        // of multipole series and harmonic balance
   constexpr double velocity_roundoff = 1e-12;  // relative to the speed of the arms
   if (!exact_velocity(question)) return std::nullopt;
-  return series_error + velocity_roundoff * question.swimmer.angular_frequency() *
+  return series_error + velocity_roundoff * question.line().angular_frequency() *
                             std::ranges::max(motion.stroke.amplitude) / std::abs(motion.velocity);
 }
 
 }  // namespace
 
-std::optional<std::string> overlap_obstacle(const Question& question) {
-  const CollinearSwimmer& swimmer = question.swimmer;
-  if (smallest_gap(swimmer, rest_positions(swimmer)) >= 0) return std::nullopt;
-  const double unit = question.units.length;
+std::string box_text(const Box& box, double unit) {
+  const auto axis = [&](int i) {
+    return fmt::format("{} {:.6g}", to_text(box.boundary[i]), box.lengths[i] * unit);
+  };
+  return axis(0) + ", " + axis(1) + ", " + axis(2);
+}
+
+std::string shape_perturbation_obstacle(const Question& question) {
+  return second_order_obstacle(question.shape());
+}
+
+std::string shape_moments_obstacle(const Question& question) {
+  if (question.shape().flow.is_zero()) return {};
+  return "this method neglects that beads resist the strain of a flow; use rpy-ode";
+}
+
+std::string shape_box_obstacle(const Question& question) {
+  if (!question.surroundings.box && question.surroundings.obstacle.empty())
+    return "this method needs a box, but the fluid of the layout is unbounded; use the method "
+           "rpy-perturbation or rpy-ode";
+  return question.surroundings.obstacle;
+}
+
+std::string overlap_obstacle(const Question& question) {
+  const CollinearSwimmer& swimmer = question.line();
+  if (smallest_gap(swimmer, rest_positions(swimmer)) >= 0) return {};
+  const double unit = question.units().length;
   return fmt::format(
       "beads overlap at rest: arms {:.6g}, {:.6g} with radii {:.6g}, {:.6g}, {:.6g}; each arm must be longer "
       "than the sum of the radii at its ends",
@@ -71,34 +97,42 @@ std::optional<std::string> overlap_obstacle(const Question& question) {
       swimmer.radius[2] * unit);
 }
 
-std::optional<std::string> exact_obstacle(const Question& question) {
-  if (auto obstacle = overlap_obstacle(question)) return obstacle;
-  if (question.exact) return std::nullopt;
+std::string image_overlap_obstacle(const Question& question) {
+  const auto& box = question.surroundings.box;
+  if (!box || smallest_gap_in_box(question.line(), *box) >= 0) return {};
   return fmt::format(
-      "beads nearly touch at rest (separation ratio l/lambda = {:.5g}), and the multipole series would need "
-      "too many terms; use the less accurate method rpy-perturbation",
-      separation_ratio(question.swimmer));
+      "beads at rest overlap images of beads or walls of the box ({}, the first axis along the "
+      "swimmer); make the box longer or wider, or move the swimmer",
+      box_text(box->box, question.units().length));
 }
 
-std::optional<std::string> box_obstacle(const Question& question) {
-  if (auto obstacle = overlap_obstacle(question)) return obstacle;
-  if (!question.box_obstacle.empty()) return question.box_obstacle;
-  if (!question.box)
-    return "this method needs a box, but the fluid of the layout is unbounded; use the method "
-           "rpy-perturbation or rpy-ode";
-  return image_overlap(question.swimmer, *question.box);
+std::string exact_obstacle(const Question& question) {
+  if (std::string obstacle = overlap_obstacle(question); !obstacle.empty()) return obstacle;
+  if (question.exact()) return {};
+  return fmt::format(
+      "exact Stokes flow is not known for this swimmer (separation ratio l/lambda = {:.5g}): {}; use the "
+      "less accurate method rpy-perturbation",
+      separation_ratio(question.line()), reason_against([&] { *question.exact(); }));
+}
+
+std::string box_obstacle(const Question& question) {
+  if (std::string obstacle = overlap_obstacle(question); !obstacle.empty()) return obstacle;
+  if (std::string obstacle = shape_box_obstacle(question); !obstacle.empty()) return obstacle;
+  return image_overlap_obstacle(question);
 }
 
 Prediction predict_perturbation(const BeadMobility& mobility, const Question& question) {
-  const CollinearSwimmer& swimmer = question.swimmer;
+  if (!question.is_line()) return predict_shape_perturbation(mobility, question.shape(), question);
+  const CollinearSwimmer& swimmer = question.line();
   const bool is_exact = &mobility == &exact_beads;
   const PeriodicMotion motion =
-      is_exact ? question.exact->motion
+      is_exact ? question.exact()->motion
                : second_order_motion(swimmer, mobility.on_line(swimmer, rest_positions(swimmer)));
   Prediction prediction = prediction_from(motion, swimmer.arm);
   const std::optional<double> exact = exact_velocity(question);
-  if (question.exact)
-    prediction.uncertainty = relative_uncertainty(motion.velocity, exact, question.exact->amplitude_change);
+  prediction.dipole = motion.dipole;
+  if (question.exact())
+    prediction.uncertainty = relative_uncertainty(motion.velocity, exact, question.exact()->amplitude_change);
   prediction.validity = is_exact ? exact_flow
                                  : fmt::format("{} pairs, no truncation in lambda/l: here {}", mobility.name,
                                                distance_from_exact(question, motion.velocity, exact));
@@ -108,14 +142,16 @@ Prediction predict_perturbation(const BeadMobility& mobility, const Question& qu
 }
 
 Prediction predict_ode(const BeadMobility& mobility, const Question& question) {
-  const CollinearSwimmer& swimmer = question.swimmer;
+  if (!question.is_line()) return predict_shape_ode(mobility, question.shape(), question);
+  const CollinearSwimmer& swimmer = question.line();
   const LinePositions rest = rest_positions(swimmer);
   const bool is_exact = &mobility == &exact_beads;
   const PeriodicMotion motion =
-      is_exact ? finite_motion(question) : periodic_motion(swimmer, rest, [&](const LinePositions& x) {
+      is_exact ? *question.finite() : periodic_motion(swimmer, rest, [&](const LinePositions& x) {
         return mobility.on_line(swimmer, x);
       });
   Prediction prediction = prediction_from(motion, swimmer.arm);
+  prediction.dipole = motion.dipole;
   if (is_exact) {
     prediction.uncertainty = numerical_uncertainty(question, motion);
     prediction.validity = exact_flow;
@@ -138,25 +174,31 @@ Prediction predict_ode(const BeadMobility& mobility, const Question& question) {
   return prediction;
 }
 
-Prediction predict_rpy_box_perturbation(const Question& question) {
-  const CollinearSwimmer& swimmer = question.swimmer;
-  const CollinearMobility at_rest = mobility_in_box(question)(rest_positions(swimmer, *question.box));
+Prediction predict_box_perturbation(const BeadMobility& beads, const Question& question) {
+  if (!question.is_line()) return predict_shape_perturbation(beads, shape_in_box(question), question);
+  const CollinearSwimmer& swimmer = question.line();
+  const CollinearMobility at_rest =
+      mobility_in_box(question)(rest_positions(swimmer, *question.surroundings.box));
   const PeriodicMotion motion = second_order_motion(swimmer, at_rest);
   Prediction prediction = prediction_from(motion, swimmer.arm);
+  prediction.dipole = motion.dipole;
   add_box_limits(question, motion.velocity, prediction);
-  if (question.exact && prediction.uncertainty) {
-    prediction.uncertainty = std::hypot(*prediction.uncertainty, question.exact->amplitude_change);
+  if (question.exact() && prediction.uncertainty) {
+    prediction.uncertainty = std::hypot(*prediction.uncertainty, question.exact()->amplitude_change);
     add_amplitude_limit(question, prediction);
   }
   mark_unusable_if_beads_touch(question, prediction);
   return prediction;
 }
 
-Prediction predict_rpy_box_ode(const Question& question) {
-  const CollinearSwimmer& swimmer = question.swimmer;
-  const LinePositions rest = rest_positions(swimmer, *question.box);
+Prediction predict_box_ode(const BeadMobility& beads, const Question& question) {
+  if (!question.is_line()) return predict_shape_ode(beads, shape_in_box(question), question);
+  const CollinearSwimmer& swimmer = question.line();
+  const LinePositions rest = rest_positions(swimmer, *question.surroundings.box);
   const MobilityFunction mobility = mobility_in_box(question);
-  Prediction prediction = prediction_from(periodic_motion(swimmer, rest, mobility), swimmer.arm);
+  const PeriodicMotion motion = periodic_motion(swimmer, rest, mobility);
+  Prediction prediction = prediction_from(motion, swimmer.arm);
+  prediction.dipole = motion.dipole;
   add_box_limits(question, second_order_motion(swimmer, mobility(rest)).velocity, prediction);
   prediction.validity += "; periodic motion at finite amplitude";
   return prediction;

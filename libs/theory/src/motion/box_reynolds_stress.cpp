@@ -1,4 +1,4 @@
-#include "beadswim/theory/box_reynolds_stress.hpp"
+#include "beadswim/theory/reynolds_stress.hpp"
 
 #include <fftw3.h>
 
@@ -19,33 +19,22 @@ namespace beadswim {
 
 namespace {
 
-/// A bead or a mirror image of a bead. `sign`: -1 if the force on it along the swimmer is reversed.
-struct Source {
-  int bead = 0;
-  Vec3 position;
-  double sign = 1;
+/// Positions of the beads and of their mirror images, which have the bead number s % 3, and the directions of
+/// the forces on them. Along periodic axes, the middle bead is at 0, so that the mesh moves with the swimmer.
+struct Sources {
+  std::vector<Vec3> positions, directions;
 };
 
-/// Returns the beads and their mirror images. Along periodic axes, the middle bead is at 0, so that the mesh
-/// moves with the swimmer.
-std::vector<Source> sources(const CollinearSwimmer& swimmer, const BoxPlace& place) {
-  const LinePositions x = rest_positions(swimmer, place);
-  std::vector<Source> all;
+Sources sources(const CollinearSwimmer& swimmer, const BoxPlace& place) {
   Vec3 origin = Vec3::Zero();
   for (int axis = 0; axis < 3; ++axis)
     if (!place.box.has_mirrors(axis)) origin[axis] = place.middle_bead[axis];
-  for (int bead = 0; bead < 3; ++bead)
-    all.push_back(
-        {.bead = bead, .position = Vec3(x[bead], place.middle_bead[1], place.middle_bead[2]) - origin});
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!place.box.has_mirrors(axis)) continue;
-    for (std::size_t s = 0, count = all.size(); s < count; ++s) {
-      Source image = all[s];
-      image.position[axis] = -image.position[axis];
-      if (axis == 0) image.sign = -image.sign;
-      all.push_back(image);
-    }
+  Sources all;
+  for (const double x : rest_positions(swimmer, place)) {
+    all.positions.emplace_back(Vec3(x, place.middle_bead[1], place.middle_bead[2]) - origin);
+    all.directions.emplace_back(Vec3::UnitX());
   }
+  for (auto* vectors : {&all.positions, &all.directions}) add_mirror_images(place.box, *vectors);
   return all;
 }
 
@@ -130,8 +119,7 @@ Complex induced_force_in_waves(double wave_times_radius, Complex kappa) {
 
 /// Returns the first-order flow at the points of the mesh, one field per component.
 std::array<Mesh::Field, 3> flow_on(const Mesh& mesh, const CollinearSwimmer& swimmer, Complex alpha,
-                                   const std::vector<Source>& all, const Eigen::Vector3cd& force,
-                                   double volume) {
+                                   const Sources& all, const Eigen::Vector3cd& force, double volume) {
   std::array<Mesh::Field, 3> flow;
   for (Mesh::Field& component : flow) component.resize(mesh.size());
   mesh.for_each_wave([&](std::size_t index, const Vec3& k) {
@@ -140,8 +128,8 @@ std::array<Mesh::Field, 3> flow_on(const Mesh& mesh, const CollinearSwimmer& swi
     for (int i = 0; i < 3; ++i)
       strength[i] = force[i] * induced_force_in_waves(wave * swimmer.radius[i], alpha * swimmer.radius[i]);
     Complex sum = 0;
-    for (const Source& source : all)
-      sum += source.sign * strength[source.bead] * std::polar(1.0, -k.dot(source.position));
+    for (std::size_t s = 0; s < all.positions.size(); ++s)
+      sum += all.directions[s].x() * strength[s % 3] * std::polar(1.0, -k.dot(all.positions[s]));
     const Complex u = sum / (swimmer.viscosity * volume * (k2 + alpha * alpha));
     for (int axis = 0; axis < 3; ++axis) flow[axis][index] = u * ((axis == 0 ? 1 : 0) - k[0] * k[axis] / k2);
   });
@@ -157,7 +145,7 @@ std::optional<Eigen::Vector3d> reynolds_velocities_in_box(const CollinearSwimmer
   const std::optional<Mesh> mesh = mesh_for(swimmer, place.box);
   if (!mesh) return std::nullopt;
   const Complex alpha = inverse_penetration_depth(swimmer, fluid_density);
-  const std::vector<Source> all = sources(swimmer, place);
+  const Sources all = sources(swimmer, place);
   const std::array<Mesh::Field, 3> flow =
       flow_on(*mesh, swimmer, alpha, all, force, mirrored_lengths(place.box).prod());
 
@@ -183,7 +171,7 @@ std::optional<Eigen::Vector3d> reynolds_velocities_in_box(const CollinearSwimmer
         k[0] * mean_force[0][index] + k[1] * mean_force[1][index] + k[2] * mean_force[2][index];
     const Complex flow_x = (mean_force[0][index] - k[0] * along / k2) / (swimmer.viscosity * k2);
     for (int j = 0; j < 3; ++j) {
-      const Complex at_bead = flow_x * std::polar(1.0, k.dot(all[j].position));
+      const Complex at_bead = flow_x * std::polar(1.0, k.dot(all.positions[j]));
       velocity[j] += at_bead.real() * Bessel(wave * swimmer.radius[j]).of_order_0;
     }
   });

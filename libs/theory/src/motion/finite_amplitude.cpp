@@ -1,10 +1,10 @@
-#include "beadswim/theory/finite_amplitude.hpp"
+#include "beadswim/theory/periodic_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "beadswim/theory/perturbation.hpp"
+#include "beadswim/theory/linear_response.hpp"
 
 namespace beadswim {
 
@@ -87,14 +87,6 @@ double small_driving(const CollinearSwimmer& swimmer, const PeriodicMotion& moti
   return max_amplitude_over_gap / size;
 }
 
-/// Returns whether the second-order velocity exceeds roundoff.
-bool is_above_roundoff(const CollinearSwimmer& swimmer, const PeriodicMotion& motion) {
-  constexpr double relative_roundoff = 1e-10;
-  const double swing = std::max(motion.stroke.amplitude[0], motion.stroke.amplitude[1]);
-  const double unit = swimmer.angular_frequency() * swing * swing / swimmer.arm[0];
-  return std::abs(motion.velocity) > relative_roundoff * unit;
-}
-
 }  // namespace
 
 double finite_amplitude_change(const CollinearSwimmer& swimmer, const MobilityFunction& mobility) {
@@ -102,7 +94,9 @@ double finite_amplitude_change(const CollinearSwimmer& swimmer, const MobilityFu
   if (!(smallest_gap(swimmer, rest) > 0)) return std::numeric_limits<double>::quiet_NaN();
   const InterpolatedMobility near_rest(swimmer, mobility);
   const PeriodicMotion motion = second_order_motion(swimmer, near_rest(rest));
-  if (!is_above_roundoff(swimmer, motion)) return 0;
+  constexpr double relative_roundoff = 1e-10;
+  const double roundoff = relative_roundoff * second_order_scale(swimmer, motion.stroke);
+  if (!(std::abs(motion.velocity) > roundoff)) return 0;
   const double s = small_driving(swimmer, motion);
   CollinearSwimmer weakly_driven = swimmer;
   for (double& amplitude : weakly_driven.amplitude) amplitude *= s;

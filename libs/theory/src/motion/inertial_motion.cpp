@@ -31,17 +31,17 @@ Complex steady_size(double radius, Complex kappa) {
 }  // namespace
 
 InertialScene unbounded_scene(const Question& question) {
-  return {.swimmer = question.swimmer,
-          .fluid_density = question.fluid_density,
-          .flow = LineFlow(question.swimmer.viscosity),
-          .positions = rest_positions(question.swimmer)};
+  return {.swimmer = question.line(),
+          .fluid_density = question.fluid_density(),
+          .flow = LineFlow(question.line().viscosity),
+          .positions = rest_positions(question.line())};
 }
 
 InertialScene inertial_scene(const Question& question) {
   InertialScene scene = unbounded_scene(question);
-  if (!question.box) return scene;
-  scene.flow = box_line_flow(*question.box, question.swimmer.viscosity);
-  scene.positions = rest_positions(question.swimmer, *question.box);
+  if (!question.surroundings.box) return scene;
+  scene.flow = box_line_flow(*question.surroundings.box, question.line().viscosity);
+  scene.positions = rest_positions(question.line(), *question.surroundings.box);
   return scene;
 }
 

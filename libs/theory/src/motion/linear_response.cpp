@@ -1,5 +1,7 @@
 #include "beadswim/theory/linear_response.hpp"
 
+#include <algorithm>
+
 #include "beadswim/core/complex.hpp"
 #include "beadswim/core/dense_systems.hpp"
 
@@ -11,6 +13,15 @@ namespace {
 Eigen::MatrixXcd impedance(const Eigen::MatrixXd& deformations, const Eigen::MatrixXcd& mobility) {
   const Eigen::MatrixXcd mobility_of_deformations = deformations * mobility * deformations.transpose();
   return inverse(mobility_of_deformations);
+}
+
+/// Returns the mean bead velocities <dmu f> [length/time]. `slope`: d mu / d x_k.
+Eigen::Vector3d mean_drift(const LinearResponse& response, const std::array<Eigen::Matrix3d, 3>& slope) {
+  Eigen::Vector3d drift = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    drift += 0.5 * slope[k] * (std::conj(response.displacement[k]) * response.force).real();
+  }
+  return drift;
 }
 
 }  // namespace
@@ -89,6 +100,11 @@ double mean_power(const CollinearSwimmer& swimmer, const Stroke& stroke) {
   return power;
 }
 
+double second_order_scale(const CollinearSwimmer& swimmer, const Stroke& stroke) {
+  const double swing = std::max(stroke.amplitude[0], stroke.amplitude[1]);
+  return swimmer.angular_frequency() * swing * swing / swimmer.arm[0];
+}
+
 LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3cd& mobility) {
   return linear_response(springs_of(swimmer), mobility, driving_tensions(swimmer),
                          swimmer.angular_frequency());
@@ -100,6 +116,34 @@ LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Mat
 
 Stroke first_order_stroke(const CollinearSwimmer& swimmer, PairLaw law) {
   return stroke_of(linear_response(swimmer, rest_mobility(swimmer, law).value).arm);
+}
+
+// Mean dipole to second order: < sum_i (x_i + sigma_i) F_i >. The mean forces are -D^T K m.
+PeriodicMotion second_order_motion(const CollinearSwimmer& swimmer, const CollinearMobility& mobility) {
+  const LinearResponse response = linear_response(swimmer, mobility.value);
+  const SpringNetwork springs = springs_of(swimmer);
+  const MeanBalance mean = balance_mean(springs, mobility.value, mean_drift(response, mobility.slope));
+  const Eigen::VectorXcd lever = response.displacement + mobility.stresslet_slope * response.displacement;
+  const Eigen::Vector2d arms(swimmer.arm[0], swimmer.arm[1]);
+  const Eigen::Vector2d mean_tension = springs.stiffness * mean.deformation;
+  const double dipole =
+      0.5 * lever.dot(response.force).real() - mean_tension.dot(arms + arm_rates() * mobility.stresslet);
+  return {.velocity = mean.free_rates[0],
+          .stroke = stroke_of(response.arm),
+          .arm_changes = {mean.deformation[0], mean.deformation[1]},
+          .dipole = dipole_of_line(dipole)};
+}
+
+double velocity_of_stroke(const Eigen::Vector2cd& arm, const CollinearMobility& mobility,
+                          double angular_frequency) {
+  const LinearResponse response =
+      response_to_stroke(arm_rates(), arm, mobility.value.cast<std::complex<double>>(), angular_frequency);
+  return towing_forces(mobility.value).dot(mean_drift(response, mobility.slope));
+}
+
+double geometry_factor(const CollinearMobility& mobility) {
+  // A stroke of unit area: d_1 = d_2 = 1, delta_1 - delta_2 = pi/2.
+  return velocity_of_stroke({std::complex<double>(0, 1), 1}, mobility, 1);
 }
 
 }  // namespace beadswim

@@ -1,4 +1,4 @@
-#include "beadswim/theory/mean_forces.hpp"
+#include "beadswim/theory/unsteady_multipole.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -102,6 +102,19 @@ class HarmonicBalance {
     return solve(jacobian, residual);
   }
 
+  /// Returns the mean of sum_i (x_i + sigma_i) F_i, F = D^T g: the stresslets sigma.F of the beads are those
+  /// of CollinearMobility, g are the tensions of the arms.
+  double mean_dipole(const NodalMotion& motion) const {
+    const NodalMotion rate = rates(motion);
+    double sum = 0;
+    for (int n = 0; n < nodes_; ++n) {
+      const Eigen::Vector2d q(motion(0, n), motion(2, n)), dq(rate(0, n), rate(2, n));
+      const Eigen::Vector2d levers = arm_rates() * (rest_ + mobility_(places(motion, n)).stresslet) + q;
+      sum += levers.dot(driving_tension(n) - stiffness_.cwiseProduct(q) - damping_.cwiseProduct(dq));
+    }
+    return sum / nodes_;
+  }
+
   /// Returns the velocity V = -<sum_k (w_k(x) - w_k(X)) dp_k/dt> (periodic_motion.hpp) [length/time].
   double drift_velocity(const NodalMotion& motion) const {
     const Vector3d at_rest = towing_forces(mobility_({rest_[0], rest_[1], rest_[2]}).value);
@@ -259,6 +272,7 @@ PeriodicMotion motion_result(const CollinearSwimmer& swimmer, const HarmonicBala
               Eigen::Vector2cd(harmonic_amplitude(nodal.row(0), 1), harmonic_amplitude(nodal.row(2), 1))),
           .arm_changes = {nodal.row(0).mean(), nodal.row(2).mean()},
           .smallest_gap = smallest_gap_of(swimmer, balance, nodal),
+          .dipole = dipole_of_line(balance.mean_dipole(nodal)),
           .samples = static_cast<int>(nodal.cols())};
 }
 

@@ -1,10 +1,15 @@
 #include "beadswim/theory/reynolds_stress.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "beadswim/collinear/oscillating_spheres.hpp"
+#include "beadswim/collinear/pair_mobility.hpp"
+#include "beadswim/collinear/unsteady_sphere.hpp"
+#include "beadswim/core/complex.hpp"
 #include "beadswim/core/gauss_legendre.hpp"
-#include "lone_sphere_flow.hpp"
 #include "outside_nodes.hpp"
 
 namespace beadswim {
@@ -12,36 +17,50 @@ namespace beadswim {
 namespace {
 
 /// Integrand of the matrix Q (reynolds_stress.hpp) on the half-plane (x, s), from the flows of the three
-/// spheres. x: coordinate along the axis of the swimmer; s: distance from this axis [length].
+/// spheres, each alone. x: coordinate along the axis of the swimmer; s: distance from this axis [length].
 class ReynoldsStress {
  public:
   ReynoldsStress(const CollinearSwimmer& swimmer, double fluid_density, const Eigen::Vector3d& towing)
-      : swimmer_(swimmer),
-        center_(rest_positions(swimmer)),
-        alpha_(inverse_penetration_depth(swimmer, fluid_density)),
-        towing_(towing) {}
+      : center_(rest_positions(swimmer)) {
+    const Complex alpha = inverse_penetration_depth(swimmer, fluid_density);
+    for (int i = 0; i < 3; ++i) {
+      const std::array radius{swimmer.radius[i]}, position{center_[i]};
+      const double mobility = self_mobility(radius[0], swimmer.viscosity);
+      spheres_.push_back({.oscillating = {radius, position, swimmer.viscosity, alpha, 1},
+                          .towed = {radius, position, swimmer.viscosity, 0, 1},
+                          .speed = mobility / induced_force_factor(alpha * radius[0]),
+                          .towed_speed = towing[i] * mobility});
+    }
+  }
 
   const LinePositions& center() const { return center_; }
 
   /// Returns the matrix of the elements u_i u_j* : grad u^ at (x, s). u_i is the oscillating flow of sphere i
-  /// per induced force, u^ the steady flow of the towed spheres.
+  /// per induced force, u^ the steady flow of the towed spheres. Inside a sphere its own flow is uniform.
   Eigen::Matrix3cd integrand(double x, double s) const {
-    Eigen::Matrix<std::complex<double>, 3, 2> flow;  // row: sphere; column: component along x, along s
+    Eigen::Matrix<Complex, 3, 2> flow;  // row: sphere; column: component along x, along s
     Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
     for (int i = 0; i < 3; ++i) {
-      const double dx = x - center_[i];
-      flow.row(i) = oscillating_sphere_flow(swimmer_.radius[i], swimmer_.viscosity, alpha_, dx, s);
-      gradient += towing_[i] * towed_sphere_gradient(swimmer_.radius[i], swimmer_.viscosity, dx, s);
+      const auto& [oscillating, towed, speed, towed_speed] = spheres_[i];
+      flow.row(i) << speed, 0.0;
+      if (std::hypot(x - center_[i], s) <= oscillating.radius(0)) continue;
+      flow.row(i) = speed * oscillating.velocity(x, s).transpose();
+      gradient += towed_speed * towed.at(x, s).gradient.real().reshaped(2, 2);
     }
     const Eigen::Matrix2d strain = (gradient + gradient.transpose()) / 2;
     return flow * strain * flow.adjoint();
   }
 
  private:
-  const CollinearSwimmer& swimmer_;
+  /// Flows of one sphere per velocity, and its velocities per induced force and in the towed swimmer.
+  struct LoneSphere {
+    OscillatingSpheres oscillating, towed;
+    Complex speed;
+    double towed_speed;
+  };
+
   LinePositions center_;
-  std::complex<double> alpha_;
-  Eigen::Vector3d towing_;
+  std::vector<LoneSphere> spheres_;
 };
 
 /// Returns the integral over the volume of the beads.

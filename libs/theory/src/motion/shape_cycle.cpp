@@ -97,9 +97,9 @@ std::optional<BeadVectors> step(const ShapeFlow& flow, const BeadVectors& x, dou
 
 }  // namespace
 
-std::optional<ShapeCycle> integrate_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law,
+std::optional<ShapeCycle> integrate_cycle(const ShapedSwimmer& swimmer, const ShapeMobility& mobility,
                                           const BeadVectors& start, int steps) {
-  const ShapeFlow flow(swimmer, law);
+  const ShapeFlow flow(swimmer, mobility);
   const double h = swimmer.type.driving.period / steps;
   const double size = start.cwiseAbs().maxCoeff() + swimmer.type.beads[0].radius;
   ShapeCycle cycle;

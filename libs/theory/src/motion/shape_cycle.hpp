@@ -18,7 +18,7 @@ struct ShapeCycle {
 /// Returns the motion over one period from `start`, by the implicit Runge-Kutta method Radau IIA of order 5
 /// with `steps` steps (Hairer and Wanner, Solving Ordinary Differential Equations II (1996), section IV.8).
 /// Returns nothing if the equations of a step cannot be solved; shorter steps may help.
-std::optional<ShapeCycle> integrate_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law,
+std::optional<ShapeCycle> integrate_cycle(const ShapedSwimmer& swimmer, const ShapeMobility& mobility,
                                           const BeadVectors& start, int steps);
 
 }  // namespace beadswim

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "beadswim/collinear/oseen.hpp"
 #include "beadswim/core/dense_systems.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/wall_mobility.hpp"
+#include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_matrices.hpp"
 
@@ -33,7 +34,11 @@ double smallest_gap(const ShapedSwimmer& swimmer, const BeadVectors& beads) {
   for (int i = 0; i < beads.cols(); ++i)
     for (int j = 0; j < i; ++j)
       smallest = std::min(smallest, (beads.col(i) - beads.col(j)).norm() - contact_distance(type, i, j));
-  return smallest;
+  if (!swimmer.box) return smallest;
+  std::vector<PlacedBead> placed;
+  for (int i = 0; i < beads.cols(); ++i)
+    placed.push_back({.centre = beads.col(i) + swimmer.place, .radius = type.beads[i].radius});
+  return std::min(smallest, smallest_gap(placed, {.box = swimmer.box}));
 }
 
 Eigen::VectorXd bond_lengths(const SwimmerType& type, const BeadVectors& beads) {
@@ -53,27 +58,26 @@ Eigen::Matrix3d best_rotation(const BeadVectors& from, const BeadVectors& to) {
   return fitted_orientation(shape, to, Eigen::Matrix3d::Identity());
 }
 
-ShapeFlow::ShapeFlow(const ShapedSwimmer& swimmer, PairTensorLaw law)
+Eigen::Matrix3d dipole_of_beads(const ShapedSwimmer& swimmer, const ShapeMobility& mobility,
+                                const BeadVectors& beads, const BeadVectors& forces) {
+  Eigen::Matrix3d dipole = dipole_of_forces(beads, forces);
+  if (mobility.stresslets) dipole += mobility.stresslets(beads, forces);
+  const Eigen::Matrix3d frame = fitted_orientation(swimmer.type, beads, swimmer.orientation);
+  return frame.transpose() * dipole * frame;
+}
+
+ShapeFlow::ShapeFlow(const ShapedSwimmer& swimmer, const ShapeMobility& mobility)
     : swimmer_(swimmer),
-      law_(law),
+      mobility_(mobility),
       is_damped_(std::ranges::any_of(swimmer.type.bonds, [](const Bond& bond) { return bond.damping > 0; })) {
 }
 
 void ShapeFlow::require_positive_mobility(const BeadVectors& beads) const {
-  if (law_ != oseen_pairs || is_positive_definite(mobility(beads))) return;  // others always are
+  if (!mobility_.may_be_indefinite || is_positive_definite(mobility_.matrix(beads))) return;
   throw InputError("stroke",
                    "the mobility by the Oseen tensor is not positive definite: forces would move beads "
                    "backwards, because beads are too close to each other or to the wall; use a method with "
                    "Rotne-Prager pairs");
-}
-
-Eigen::MatrixXd ShapeFlow::mobility(const BeadVectors& beads) const {
-  auto mu = mobility_matrix<Eigen::MatrixXd>(law_, swimmer_.type.beads, beads, swimmer_.viscosity);
-  if (!swimmer_.half_space) return mu;
-  std::vector<double> radii;
-  for (const Bead& bead : swimmer_.type.beads) radii.push_back(law_ == oseen_pairs ? 0 : bead.radius);
-  add_wall_mobility(*swimmer_.half_space, radii, beads.colwise() + swimmer_.place, swimmer_.viscosity, mu);
-  return mu;
 }
 
 Eigen::MatrixXd ShapeFlow::damping(const BeadVectors& beads) const {
@@ -87,8 +91,9 @@ Eigen::VectorXd ShapeFlow::forces(const BeadVectors& beads, double time) const {
 }
 
 Eigen::VectorXd ShapeFlow::velocities(const BeadVectors& beads, double time) const {
-  const Eigen::MatrixXd mu = mobility(beads);
-  Eigen::VectorXd undamped = mu * forces(beads, time);
+  const Eigen::MatrixXd mu = is_damped_ ? mobility_.matrix(beads) : Eigen::MatrixXd();
+  Eigen::VectorXd undamped =
+      is_damped_ ? mu * forces(beads, time) : mobility_.apply(beads, forces(beads, time));
   if (!swimmer_.flow.is_zero())
     for (Eigen::Index b = 0; b < beads.cols(); ++b)
       undamped.segment<3>(3 * b) += swimmer_.flow.at(beads.col(b) + swimmer_.place);
@@ -98,7 +103,7 @@ Eigen::VectorXd ShapeFlow::velocities(const BeadVectors& beads, double time) con
 }
 
 Eigen::MatrixXd ShapeFlow::relaxation(const BeadVectors& beads, double time) const {
-  const Eigen::MatrixXd mu = mobility(beads);
+  const Eigen::MatrixXd mu = mobility_.estimate(beads);
   const Eigen::MatrixXd undamped = -mu * own_stiffness<Eigen::Dynamic>(swimmer_.type, time, beads);
   if (!is_damped_) return undamped;
   const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(mu.rows(), mu.cols());
@@ -114,10 +119,9 @@ BeadVectors relaxed_shape(const ShapedSwimmer& swimmer) {
   return swimmer.orientation * centred(shape.beads);
 }
 
-double towing_drag(const ShapedSwimmer& swimmer, const BeadVectors& shape, const Vec3& axis,
-                   PairTensorLaw law) {
+double towing_drag(const BeadVectors& shape, const Vec3& axis, const ShapeMobility& mobility) {
   const Eigen::VectorXd along = axis.replicate(shape.cols(), 1);
-  return along.dot(solve_definite(ShapeFlow(swimmer, law).mobility(shape), along));
+  return along.dot(solve_definite(mobility.matrix(shape), along));
 }
 
 }  // namespace beadswim

@@ -37,25 +37,28 @@ BeadVectors centred(const BeadVectors& beads);
 /// Returns the rotation that fits `from` to `to` best after a translation.
 Eigen::Matrix3d best_rotation(const BeadVectors& from, const BeadVectors& to);
 
+/// Returns the force dipole in the frame of the fitted orientation. `forces`: on the beads.
+Eigen::Matrix3d dipole_of_beads(const ShapedSwimmer& swimmer, const ShapeMobility& mobility,
+                                const BeadVectors& beads, const BeadVectors& forces);
+
 class ShapeFlow {
  public:
-  ShapeFlow(const ShapedSwimmer& swimmer, PairTensorLaw law);
+  ShapeFlow(const ShapedSwimmer& swimmer, const ShapeMobility& mobility);
 
   /// Throws InputError if mu is not positive definite.
   void require_positive_mobility(const BeadVectors& beads) const;
 
-  Eigen::MatrixXd mobility(const BeadVectors& beads) const;                 ///< mu
   Eigen::MatrixXd damping(const BeadVectors& beads) const;                  ///< C
   Eigen::VectorXd forces(const BeadVectors& beads, double time) const;      ///< F
   Eigen::VectorXd velocities(const BeadVectors& beads, double time) const;  ///< v
 
-  /// Returns -(1 + mu C)^-1 mu K, the derivative of v by x without that of mu [1/time]. K: stiffness of the
-  /// springs.
+  /// Returns -(1 + mu C)^-1 mu K, the derivative of v by x without that of mu [1/time], with the estimate of
+  /// mu. K: stiffness of the springs.
   Eigen::MatrixXd relaxation(const BeadVectors& beads, double time) const;
 
  private:
   const ShapedSwimmer& swimmer_;
-  PairTensorLaw law_;
+  const ShapeMobility& mobility_;
   bool is_damped_ = false;
 };
 

@@ -59,8 +59,8 @@ Eigen::Matrix3d orientation_of(const ShapedSwimmer& swimmer, const BeadVectors& 
   return fitted_orientation(swimmer.type, beads, swimmer.orientation);
 }
 
-/// Returns the rotation from one time to another. Over a wall, which bends a swimmer slightly, it is that of
-/// the fitted orientation, because a rotation about a line of beads is not defined.
+/// Returns the rotation from one time to another. For a swimmer near a wall, this is the change of the fitted
+/// orientation: its beads are nearly in line, so the rotation about that line is undetermined.
 Eigen::Matrix3d rotation_between(const ShapedSwimmer& swimmer, const BeadVectors& from,
                                  const BeadVectors& to) {
   if (!swimmer.is_held()) return best_rotation(from, to);
@@ -77,8 +77,8 @@ BeadVectors moved_back(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
 
 /// Returns the cycle of the periodic motion, with its mean bead position at the origin at time 0. start:
 /// guess of the beads at time 0. Returns nothing if the time steps are too long.
-std::optional<ShapeCycle> periodic_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law, BeadVectors start,
-                                         int steps) {
+std::optional<ShapeCycle> periodic_cycle(const ShapedSwimmer& swimmer, const ShapeMobility& mobility,
+                                         BeadVectors start, int steps) {
   constexpr int max_cycles = 200;
   constexpr double periodic = 1e-11;  // change of the shape in a cycle, divided by the size
   // Fast transients end in the first cycles. Afterwards, an extrapolation that does not help is given up, so
@@ -93,7 +93,7 @@ std::optional<ShapeCycle> periodic_cycle(const ShapedSwimmer& swimmer, PairTenso
   for (int cycle = 0; cycle < max_cycles; ++cycle) {
     start = centred(start);
     if (swimmer.is_held()) start = swimmer.orientation * orientation_of(swimmer, start).transpose() * start;
-    std::optional<ShapeCycle> motion = integrate_cycle(swimmer, law, start, steps);
+    std::optional<ShapeCycle> motion = integrate_cycle(swimmer, mobility, start, steps);
     if (!motion) return std::nullopt;
     const BeadVectors end = moved_back(swimmer, *motion);
     const double size = start.cwiseAbs().maxCoeff() + swimmer.type.beads[0].radius;
@@ -141,7 +141,7 @@ Vec3 own_displacement(const ShapedSwimmer& swimmer, const ShapeCycle& cycle, con
   return rotation_by(-turn / 2) * (displacement_in_cycle(phases, places, turn, carried) - carried);
 }
 
-ShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
+ShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeMobility& mobility, const ShapeCycle& cycle) {
   const SwimmerType& type = swimmer.type;
   const int steps = static_cast<int>(cycle.beads.size()) - 1;
   const double period = type.driving.period;
@@ -150,11 +150,15 @@ ShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
   motion.samples = steps;
   motion.mean_shape = BeadVectors::Zero(3, std::ssize(type.beads));
   Eigen::MatrixXd lengths(std::ssize(type.bonds), steps);
+  const ShapeFlow flow(swimmer, mobility);
+  Eigen::Matrix3d dipole = Eigen::Matrix3d::Zero();
   for (int s = 0; s < steps; ++s) {
     const double phase = static_cast<double>(s) / steps, time = phase * period;
     const BeadVectors& beads = cycle.beads[s];
     motion.mean_shape += rotation_by(-phase * rotation) * centred(beads) / steps;
     motion.power += power_of_drives(type, time, beads, cycle.velocities[s], swimmer.orientation) / steps;
+    const Eigen::VectorXd damping = flow.damping(beads) * as_components(cycle.velocities[s]);
+    dipole += dipole_of_beads(swimmer, mobility, beads, as_beads(flow.forces(beads, time) - damping)) / steps;
     motion.smallest_gap = std::min(motion.smallest_gap, smallest_gap(swimmer, beads));
     lengths.col(s) = bond_lengths(type, beads);
   }
@@ -164,17 +168,23 @@ ShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
     amplitudes[k] = harmonic_amplitude(lengths.row(k), 1);
   }
   motion.stroke = stroke_of(amplitudes);
-  // Results are for the orientation of the layout; the motion was found in another one.
+  motion.dipole = dipole_in_frame(dipole);
+  // A swimmer that is free to turn is turned to the orientation of the layout. One that its drives turn keeps
+  // its own.
   const Eigen::Matrix3d fit = orientation_of(swimmer, motion.mean_shape);
   const Eigen::Matrix3d turn = swimmer.orientation * fit.transpose();
   const bool free = is_free_to_turn(swimmer);
-  if (!has_turning_frame(swimmer)) motion.turn = Eigen::AngleAxisd(turn).angle();
+  motion.axis = swimmer.orientation.col(0);
+  if (!has_turning_frame(swimmer)) {
+    motion.turn = Eigen::AngleAxisd(turn).angle();
+    motion.axis = fit.col(0);
+  }
   const Eigen::Matrix3d to_box = free ? turn : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   motion.mean_shape = to_box * motion.mean_shape;
   const Vec3 carrying = swimmer.flow.at(swimmer.place);
   motion.velocity_vector =
       carrying + to_box * own_displacement(swimmer, cycle, rotation, period * carrying) / period;
-  motion.velocity = motion.velocity_vector.dot(swimmer.orientation.col(0));
+  motion.velocity = motion.velocity_vector.dot(motion.axis);
   motion.angular_velocity = to_box * rotation / period;
   return motion;
 }
@@ -199,17 +209,18 @@ BeadVectors first_guess(const ShapedSwimmer& swimmer) {
 
 }  // namespace
 
-ShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
+ShapeMotion periodic_motion(const ShapedSwimmer& swimmer, const ShapeMobility& mobility) {
   const int multiple = highest_multiple(swimmer.type.driving);
   const int first = 32 * multiple, finest = 1024 * multiple;
   constexpr double resolved = 1e-7, roundoff = 1e-10;
   BeadVectors start = first_guess(swimmer);
   std::optional<ShapeMotion> motion;
-  for (int steps = first; steps <= finest; steps *= 2) {
-    const std::optional<ShapeCycle> cycle = periodic_cycle(swimmer, law, start, steps);
+  const auto lacks_error = [&] { return motion && !std::isfinite(motion->numerical_error); };
+  for (int steps = first; steps <= finest || (steps == 2 * finest && lacks_error()); steps *= 2) {
+    const std::optional<ShapeCycle> cycle = periodic_cycle(swimmer, mobility, start, steps);
     if (!cycle) continue;
     const std::optional<ShapeMotion> coarse = motion;
-    motion = motion_of(swimmer, *cycle);
+    motion = motion_of(swimmer, mobility, *cycle);
     start = cycle->beads.front();
     if (!coarse) continue;
     const double reach = motion->mean_shape.cwiseAbs().maxCoeff(), speed = largest_speed(*cycle);
@@ -219,9 +230,9 @@ ShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
     const double change = (motion->velocity_vector - coarse->velocity_vector).norm();
     motion->numerical_error = change + cycle->error / swimmer.type.driving.period;
     const Vec3 turning = motion->angular_velocity - coarse->angular_velocity;
-    if (is_resolved(change, motion->velocity_vector.norm()) &&
-        is_resolved(reach * turning.norm(), reach * motion->angular_velocity.norm()))
-      break;
+    motion->is_resolved = is_resolved(change, motion->velocity_vector.norm()) &&
+                          is_resolved(reach * turning.norm(), reach * motion->angular_velocity.norm());
+    if (motion->is_resolved) break;
   }
   if (motion) return *motion;
   throw InputError(

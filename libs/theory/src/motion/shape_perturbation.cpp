@@ -11,6 +11,7 @@
 #include "beadswim/core/dense_systems.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/trigonometric_nodes.hpp"
+#include "beadswim/swimmers/hinges.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_matrices.hpp"
 #include "beadswim/theory/linear_response.hpp"
@@ -73,12 +74,18 @@ struct Expansion {
 };
 
 /// Throws InputError if an angular spring is bent on the relaxed shape, because its stiffness is then not
-/// known (own_stiffness()).
+/// known (own_stiffness()), or if all beads are in line while drives bend hinges (hinges.hpp).
 void require_relaxed_angles(const SwimmerType& type, const BeadVectors& shape) {
-  constexpr double relaxed = 1e-6;  // [radian]
+  constexpr double relaxed = 1e-6;  // [radian], and width of the shape, divided by its length
+  const SwimmerType still = with_drives_scaled(type, 0);
+  if (has_hinges(type) && !type.driving.angles.empty() &&
+      width_of(shape) <= relaxed * shape.colwise().norm().maxCoeff())
+    throw InputError(
+        "the shape of the swimmer",
+        "without drives all beads are in line, where it is undetermined to which side the hinges "
+        "bend; use a method at finite amplitude");
   for (std::size_t k = 0; k < type.angles.size(); ++k) {
-    const AngleSides sides = sides_of(type.angles[k], shape);
-    if (std::abs(std::atan2(sides.sine, sides.cosine) - type.angles[k].rest) <= relaxed) continue;
+    if (std::abs(bending_of(still, k, 0, shape)) <= relaxed) continue;
     throw InputError(
         "the shape of the swimmer",
         fmt::format("without drives, other springs bend angular spring {}, which the second order "
@@ -91,7 +98,7 @@ void require_relaxed_angles(const SwimmerType& type, const BeadVectors& shape) {
 /// The expansion of the motion about the relaxed shape (symbols: shaped_swimmer.hpp).
 class ShapeExpansion {
  public:
-  ShapeExpansion(const ShapedSwimmer& swimmer, PairTensorLaw law)
+  ShapeExpansion(const ShapedSwimmer& swimmer, const ShapeMobility& law)
       : swimmer_(swimmer),
         law_(law),
         shape_(relaxed_shape({with_drives_scaled(swimmer.type, 0), swimmer.orientation})),
@@ -100,13 +107,21 @@ class ShapeExpansion {
     require_relaxed_angles(swimmer.type, shape_);
     const ShapeFlow flow(swimmer, law);
     flow.require_positive_mobility(shape_);
-    mobility_ = flow.mobility(shape_);
+    mobility_ = law.matrix(shape_);
     const MatrixXd stiffness = own_stiffness<Eigen::Dynamic>(with_drives_scaled(swimmer.type, 0), 0, shape_);
     axes_ = rotation_axes(shape_);
     springs_ = spring_network(shape_, axes_, stiffness, flow.damping(shape_));
   }
 
   const BeadVectors& shape() const { return shape_; }
+  /// Returns the dipole by the mean forces on the relaxed shape, with the springs after a mean change of it.
+  Eigen::Matrix3d dipole_of_mean_forces(const VectorXd& change) const {
+    const MatrixXd& D = springs_.deformations;
+    const ShapeFlow flow(swimmer_, law_);
+    VectorXd forces = -D.transpose() * (springs_.stiffness * (D * change));
+    for (int m = 0; m < nodes_; ++m) forces += flow.forces(shape_, time(m)) / nodes_;
+    return dipole_of_beads(swimmer_, law_, shape_, as_beads(forces));
+  }
   int nodes() const { return nodes_; }
   double time(int node) const { return period_ * node / nodes_; }
   const std::vector<Vec3>& axes() const { return axes_; }
@@ -144,6 +159,22 @@ class ShapeExpansion {
     return order;
   }
 
+  /// Returns FirstOrderMotion::bead_speeds. The largest |Re(v exp(i phi))| of all phases phi is the root of
+  /// (|v|^2 + |v.v|)/2, v: complex amplitude of the velocity.
+  std::vector<double> bead_speeds(const Expansion& order) const {
+    const VectorXd constant = springs_.free_motions * order.free_rates;
+    std::vector<double> speeds;
+    for (int b = 0; b < shape_.cols(); ++b) {
+      double& speed = speeds.emplace_back(constant.segment<3>(3 * b).norm());
+      for (int h = 1; h <= highest_multiple(swimmer_.type.driving); ++h) {
+        Eigen::Vector3cd v;
+        for (int a = 0; a < 3; ++a) v[a] = harmonic_amplitude(order.rate.row(3 * b + a), h);
+        speed += std::sqrt((v.squaredNorm() + std::abs(v.cwiseProduct(v).sum())) / 2);
+      }
+    }
+    return speeds;
+  }
+
   /// Returns the bead positions at one node, for s times the first-order motion.
   BeadVectors beads(const Expansion& order, int m, double s) const {
     return shape_ + as_beads(s * order.displacement.col(m));
@@ -154,20 +185,21 @@ class ShapeExpansion {
   struct Node {
     BeadVectors beads, velocity;
     VectorXd residual;
+    Eigen::Matrix3d dipole;  ///< in the frame of the fitted orientation
   };
   Node node(const ShapedSwimmer& scaled, const Expansion& order, int m, double s) const {
     const ShapeFlow flow(scaled, law_);
     const VectorXd rates = s * order.free_rates, p_rate = s * order.rate.col(m);
-    Node result{.beads = beads(order, m, s), .velocity = {}, .residual = {}};
+    Node result{.beads = beads(order, m, s), .velocity = {}, .residual = {}, .dipole = {}};
     Vec3 turning = Vec3::Zero();
     for (std::size_t r = 0; r < axes_.size(); ++r) turning += rates[3 + r] * axes_[r];
     const auto deforming = num_free_deformations();
     result.velocity = as_beads(p_rate + springs_.free_motions.rightCols(deforming) * rates.tail(deforming));
     for (int b = 0; b < result.beads.cols(); ++b)
       result.velocity.col(b) += rates.head<3>() + turning.cross(Vec3(result.beads.col(b)));
-    result.residual = as_components(result.velocity) -
-                      flow.mobility(result.beads) *
-                          (flow.forces(result.beads, time(m)) - flow.damping(result.beads) * p_rate);
+    const VectorXd forces = flow.forces(result.beads, time(m)) - flow.damping(result.beads) * p_rate;
+    result.residual = as_components(result.velocity) - law_.apply(result.beads, forces);
+    result.dipole = dipole_of_beads(swimmer_, law_, result.beads, as_beads(forces));
     return result;
   }
 
@@ -183,7 +215,7 @@ class ShapeExpansion {
   }
 
   const ShapedSwimmer& swimmer_;
-  PairTensorLaw law_;
+  const ShapeMobility& law_;
   BeadVectors shape_;
   double period_;
   int nodes_;
@@ -192,60 +224,60 @@ class ShapeExpansion {
   SpringNetwork springs_;
 };
 
-/// Quantities to second order in the drives, without the mean change of the shape: means over a period.
-struct SecondOrder {
-  VectorXd residual;  ///< R [length/time]
-  VectorXd lengths;   ///< changes of the lengths of the bonds [length]
-  double power = 0;   ///< of the drives [mass length^2/time^3]
-
-  SecondOrder operator+(const SecondOrder& o) const {
-    return {residual + o.residual, lengths + o.lengths, power + o.power};
+/// Returns the matrix whose rows give the changes of the lengths of the bonds by small displacements of the
+/// beads.
+MatrixXd bond_rates(const SwimmerType& type, const BeadVectors& shape) {
+  MatrixXd rates = MatrixXd::Zero(std::ssize(type.bonds), shape.size());
+  for (Eigen::Index k = 0; k < rates.rows(); ++k) {
+    const auto [i, j] = type.bonds[k].beads;
+    const Vec3 along = (shape.col(j) - shape.col(i)).normalized();
+    rates.block<1, 3>(k, 3 * j) = along.transpose();
+    rates.block<1, 3>(k, 3 * i) = -along.transpose();
   }
-};
-SecondOrder operator*(double factor, const SecondOrder& q) {
-  return {factor * q.residual, factor * q.lengths, factor * q.power};
+  return rates;
 }
 
-/// Returns the even part of the means at +s and -s, divided by s^2.
-SecondOrder even_part(const ShapedSwimmer& swimmer, const ShapeExpansion& expansion, const Expansion& order,
-                      double s) {
+/// Returns the amplitudes of the lengths of the bonds at the frequency of the driving.
+Stroke stroke_of_bonds(const MatrixXd& rates, const Expansion& order) {
+  const MatrixXd lengths = rates * order.displacement;
+  Eigen::VectorXcd amplitudes(lengths.rows());
+  for (Eigen::Index k = 0; k < lengths.rows(); ++k) amplitudes[k] = harmonic_amplitude(lengths.row(k), 1);
+  return stroke_of(amplitudes);
+}
+
+/// Returns the even part of the means at +s and -s, divided by s^2, of these quantities: R [length/time],
+/// changes of the lengths of the bonds [length], power of the drives [mass length^2/time^3], force dipole
+/// [mass length^2/time^2].
+VectorXd even_part(const ShapedSwimmer& swimmer, const ShapeExpansion& expansion, const Expansion& order,
+                   double s) {
   const VectorXd at_rest = bond_lengths(swimmer.type, expansion.shape());
-  SecondOrder sum{VectorXd::Zero(expansion.shape().size()), VectorXd::Zero(at_rest.size())};
+  const Eigen::Index size = expansion.shape().size();
+  VectorXd sum = VectorXd::Zero(size + at_rest.size() + 10);
   for (const double sign : {1.0, -1.0}) {
     ShapedSwimmer scaled = swimmer;
     scaled.type = with_drives_scaled(swimmer.type, sign * s);
     for (int m = 0; m < expansion.nodes(); ++m) {
       const ShapeExpansion::Node node = expansion.node(scaled, order, m, sign * s);
-      sum = sum + SecondOrder{node.residual, bond_lengths(swimmer.type, node.beads) - at_rest,
-                              power_of_drives(scaled.type, expansion.time(m), node.beads, node.velocity,
-                                              swimmer.orientation)};
+      sum.head(size) += node.residual;
+      sum.segment(size, at_rest.size()) += bond_lengths(swimmer.type, node.beads) - at_rest;
+      sum.tail<9>() += node.dipole.reshaped();
+      sum.tail<10>()[0] +=
+          power_of_drives(scaled.type, expansion.time(m), node.beads, node.velocity, swimmer.orientation);
     }
   }
-  return (1 / (2 * s * s * expansion.nodes())) * sum;
+  return sum / (2 * s * s * expansion.nodes());
 }
 
-/// Returns the second-order part, extrapolated from three values of s (Richardson).
-SecondOrder second_order_part(const ShapedSwimmer& swimmer, const ShapeExpansion& expansion,
-                              const Expansion& order) {
+/// Returns the quantities of even_part() to second order in the drives, without the mean change of the shape:
+/// extrapolated from three values of s (Richardson).
+VectorXd second_order_part(const ShapedSwimmer& swimmer, const ShapeExpansion& expansion,
+                           const Expansion& order) {
   constexpr double small_displacement = 0.05;  // relative to the smallest radius
   const double largest = order.displacement.cwiseAbs().maxCoeff();
   const double radius = std::ranges::min(swimmer.type.beads, {}, &Bead::radius).radius;
   const double s = largest > 0 ? small_displacement * radius / largest : 1;
   const auto at = [&](double factor) { return even_part(swimmer, expansion, order, factor * s); };
-  return (1.0 / 45) * (64.0 * at(0.25) + -20.0 * at(0.5) + at(1));
-}
-
-/// Returns the amplitudes of the lengths of the bonds at the frequency of the driving.
-Stroke stroke_of_bonds(const SwimmerType& type, const ShapeExpansion& expansion, const Expansion& order) {
-  Eigen::VectorXcd amplitudes(std::ssize(type.bonds));
-  for (Eigen::Index k = 0; k < amplitudes.size(); ++k) {
-    const auto [i, j] = type.bonds[k].beads;
-    const Vec3 along = (expansion.shape().col(j) - expansion.shape().col(i)).normalized();
-    const Eigen::RowVectorXd length = along.transpose() * (order.displacement.middleRows<3>(3 * j) -
-                                                           order.displacement.middleRows<3>(3 * i));
-    amplitudes[k] = harmonic_amplitude(length, 1);
-  }
-  return stroke_of(amplitudes);
+  return (64.0 * at(0.25) - 20.0 * at(0.5) + at(1)) / 45;
 }
 
 /// Returns the mean velocity over a cycle of a frame with the velocity `v` along its own axes, in the
@@ -257,17 +289,32 @@ Vec3 velocity_on_helix(const Vec3& v, const Vec3& turn) {
 
 }  // namespace
 
-ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
-  const auto is_constant = [](const ForceDrive& drive) { return drive.constant != 0; };
-  if (!swimmer.flow.is_zero() ||
-      (swimmer.half_space && std::ranges::any_of(swimmer.type.driving.forces, is_constant)))
-    throw InputError("the flow or the forces",
-                     "methods of second order treat a swimmer in fluid at rest, over a wall without constant "
-                     "forces; use a method whose name ends in -ode");
-  const ShapeExpansion expansion(swimmer, law);
+FirstOrderMotion first_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
+  const ShapeMobility mobility = pair_mobility(swimmer, law);
+  const ShapeExpansion expansion(swimmer, mobility);
   const Expansion order = expansion.first_order();
-  const SecondOrder second = second_order_part(swimmer, expansion, order);
-  const MeanBalance mean = expansion.balance(-second.residual);
+  return {.stroke = stroke_of_bonds(bond_rates(swimmer.type, expansion.shape()), order),
+          .bead_speeds = expansion.bead_speeds(order)};
+}
+
+std::string second_order_obstacle(const ShapedSwimmer& swimmer) {
+  const auto is_constant = [](const ForceDrive& drive) { return drive.constant != 0; };
+  const bool is_treated =
+      swimmer.flow.is_zero() &&
+      !(swimmer.half_space && std::ranges::any_of(swimmer.type.driving.forces, is_constant));
+  return is_treated
+             ? ""
+             : "the flow or the forces: methods of second order treat a swimmer in fluid at rest, over a "
+               "wall without constant forces; use a method whose name ends in -ode";
+}
+
+ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, const ShapeMobility& mobility) {
+  if (const std::string obstacle = second_order_obstacle(swimmer); !obstacle.empty())
+    throw InputError(obstacle);
+  const ShapeExpansion expansion(swimmer, mobility);
+  const Expansion order = expansion.first_order();
+  const VectorXd second = second_order_part(swimmer, expansion, order);
+  const MeanBalance mean = expansion.balance(-second.head(expansion.shape().size()));
   const VectorXd rates = order.free_rates + mean.free_rates;
   const auto drifting = expansion.num_free_deformations();
   constexpr double negligible = 1e-9;
@@ -280,19 +327,20 @@ ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law)
   for (std::size_t r = 0; r < axes.size(); ++r) motion.angular_velocity += rates[3 + r] * axes[r];
   motion.velocity_vector =
       velocity_on_helix(rates.head<3>(), swimmer.type.driving.period * motion.angular_velocity);
-  motion.velocity = motion.velocity_vector.dot(swimmer.orientation.col(0));
-  motion.stroke = stroke_of_bonds(swimmer.type, expansion, order);
-  motion.power = second.power;
-  const BeadVectors mean_change = as_beads(order.displacement.rowwise().mean() + mean.deformation);
-  motion.mean_shape = expansion.shape() + mean_change;
-  const VectorXd at_rest = bond_lengths(swimmer.type, expansion.shape());
-  for (std::size_t k = 0; k < swimmer.type.bonds.size(); ++k) {
-    const auto [i, j] = swimmer.type.bonds[k].beads;
-    const Vec3 along = (expansion.shape().col(j) - expansion.shape().col(i)).normalized();
-    const Vec3 change = mean_change.col(j) - mean_change.col(i);
-    motion.arm_changes.push_back(at_rest[k] - swimmer.type.bonds[k].rest_length + second.lengths[k] +
-                                 along.dot(change));
-  }
+  motion.axis = swimmer.orientation.col(0);
+  motion.velocity = motion.velocity_vector.dot(motion.axis);
+  motion.power = second.tail<10>()[0];
+  const VectorXd mean_change = order.displacement.rowwise().mean() + mean.deformation;
+  motion.mean_shape = expansion.shape() + as_beads(mean_change);
+  motion.dipole = dipole_in_frame(Eigen::Matrix3d(second.tail<9>().reshaped(3, 3)) +
+                                  expansion.dipole_of_mean_forces(mean_change));
+  const MatrixXd rates_of_bonds = bond_rates(swimmer.type, expansion.shape());
+  const VectorXd changes = bond_lengths(swimmer.type, expansion.shape()) +
+                           second.segment(expansion.shape().size(), rates_of_bonds.rows()) +
+                           rates_of_bonds * mean_change;
+  for (Eigen::Index k = 0; k < changes.size(); ++k)
+    motion.arm_changes.push_back(changes[k] - swimmer.type.bonds[k].rest_length);
+  motion.stroke = stroke_of_bonds(rates_of_bonds, order);
   for (int m = 0; m < expansion.nodes(); ++m)
     motion.smallest_gap = std::min(motion.smallest_gap, smallest_gap(swimmer, expansion.beads(order, m, 1)));
   return motion;

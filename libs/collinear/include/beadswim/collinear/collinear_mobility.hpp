@@ -16,6 +16,10 @@ using LinePositions = std::array<double, 3>;
 struct CollinearMobility {
   Eigen::Matrix3d value;                 ///< mu [time/mass], symmetric
   std::array<Eigen::Matrix3d, 3> slope;  ///< d mu / d x_k [time/(mass length)]; sum over k is 0 in open space
+  /// Axial stresslet of all spheres per force on each [length], and column k: its derivative by x_k [1].
+  /// Zero for pair mobilities.
+  Eigen::Vector3d stresslet = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d stresslet_slope = Eigen::Matrix3d::Zero();
 };
 
 /// Returns the mobility matrix mu of three spheres on a line, and its derivatives by the positions. The

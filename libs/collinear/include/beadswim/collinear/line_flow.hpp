@@ -1,10 +1,10 @@
 #pragma once
 
 #include <complex>
+#include <memory>
 #include <optional>
 
 #include "beadswim/collinear/line_kernel.hpp"
-#include "beadswim/collinear/periodic_stokes.hpp"
 #include "beadswim/core/box.hpp"
 
 // Velocity along x on a line parallel to x, caused by forces along x on this line. The fluid is unbounded or
@@ -25,6 +25,8 @@
 // Pages: docs/method/boxes.md, docs/method/unsteady-stokes.md.
 
 namespace beadswim {
+
+class PeriodicStokes;
 
 class LineFlow {
  public:
@@ -55,7 +57,7 @@ class LineFlow {
   void check_between_walls(double place) const;
 
   double viscosity_;
-  std::optional<PeriodicStokes> periodic_;
+  std::shared_ptr<const PeriodicStokes> periodic_;  ///< null in unbounded fluid
   std::optional<double> wall_;  ///< position of the upper x wall [length]; none if x is periodic
 };
 

@@ -13,25 +13,26 @@ struct LineKernel {
   T value{};        ///< K(x_r, x_s)
   T by_receiver{};  ///< dK / dx_r
   T by_source{};    ///< dK / dx_s
-};
 
-/// Value of a function of the displacement d = x_r - x_s from the source x_s of a flow to the receiver x_r,
-/// and its derivative by d (slope). The kernels K(x_r, x_s) are composed of such functions.
-template <class T>
-struct LineValue {
-  T value{};
-  T slope{};
-
-  LineValue& operator+=(const LineValue& other) {
+  LineKernel& operator+=(const LineKernel& other) {
     value += other.value;
-    slope += other.slope;
+    by_receiver += other.by_receiver;
+    by_source += other.by_source;
     return *this;
   }
 };
 
 template <class Factor, class T>
-auto operator*(const Factor& factor, const LineValue<T>& term) {
-  return LineValue<decltype(factor * term.value)>{factor * term.value, factor * term.slope};
+auto operator*(const Factor& factor, const LineKernel<T>& term) {
+  return LineKernel<decltype(factor * term.value)>{factor * term.value, factor * term.by_receiver,
+                                                   factor * term.by_source};
+}
+
+/// Returns the kernel K(x_r, x_s) = f(x_r - x_s) of fluid without walls across the line. `value` and `slope`
+/// are f and its derivative at the displacement x_r - x_s from the source to the receiver.
+template <class T>
+LineKernel<T> displacement_kernel(const T& value, const T& slope) {
+  return {.value = value, .by_receiver = slope, .by_source = -slope};
 }
 
 /// Kernel of steady Stokes flow in two terms. G_xx is the velocity along x per point force along x. For two

@@ -12,6 +12,8 @@
 //   v, F  velocities of the spheres and forces on them, along their line [length/time, mass length/time^2]
 //   R     resistance matrix of the no-slip flow around all spheres together [mass/time]
 //
+//   p = sigma . F,   p: axial stresslet of all spheres, whose flow on the axis far away is p/(4 pi eta r^2)
+//
 // The fluid is unbounded and at rest at infinity. Each sphere causes a Papkovich-Neuber flow, which is given
 // by two axisymmetric multipole series. On the surface of each sphere, the sum of the flows of all spheres
 // satisfies the no-slip condition. The number of multipoles is increased until the truncation error is within
@@ -23,6 +25,8 @@ namespace beadswim {
 struct MultipoleMobility {
   Eigen::MatrixXd value;               ///< mu, N x N [time/mass], symmetric and positive definite
   std::vector<Eigen::MatrixXd> slope;  ///< d mu / d x_k, k = 1 to N [time/(mass length)]; sum over k is 0
+  Eigen::VectorXd stresslet;           ///< sigma [length]
+  Eigen::MatrixXd stresslet_slope;     ///< column k: d sigma / d x_k [1]
   int order;                           ///< highest order in the multipole series of any sphere
 };
 

@@ -85,10 +85,9 @@ inline SizeFactor surface_mean_factor(std::complex<double> kappa) {
 /// Returns the flow between spheres, (1 + factor.excess) helmholtz + harmonic, without loss of significance
 /// as alpha -> 0.
 inline LineKernel<std::complex<double>> total_flow(const UnsteadyFlow& flow, const SizeFactor& factor) {
-  const auto& [helmholtz, harmonic, total] = flow;
-  return {.value = total.value + factor.excess * helmholtz.value,
-          .by_receiver = total.by_receiver + factor.excess * helmholtz.by_receiver,
-          .by_source = total.by_source + factor.excess * helmholtz.by_source};
+  LineKernel<std::complex<double>> sum = flow.total;
+  sum += factor.excess * flow.helmholtz;
+  return sum;
 }
 
 }  // namespace beadswim

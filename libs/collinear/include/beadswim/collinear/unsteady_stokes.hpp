@@ -27,18 +27,12 @@
 
 namespace beadswim {
 
-/// Helmholtz and harmonic parts of the unsteady velocity per point force, and their sum (total), as functions
-/// of the position x on a line along the force [time/mass].
-struct UnsteadyLine {
-  LineValue<std::complex<double>> helmholtz, harmonic, total;
-};
-
 /// Evaluates the unsteady Stokes flow of a point force along x: complex amplitude of the velocity along x per
 /// force. `viscosity` is the dynamic viscosity eta [mass/(length time)], alpha = sqrt(i omega rho/eta)
 /// [1/length]. x is the position of the receiver relative to the force [length]. `line_distance_squared` is
 /// the squared distance of the receiver from the line along x through the force [length^2]. x and
 /// `line_distance_squared` must not both be 0.
-UnsteadyLine unsteady_stokeslet(double viscosity, std::complex<double> alpha, double x,
+UnsteadyFlow unsteady_stokeslet(double viscosity, std::complex<double> alpha, double x,
                                 double line_distance_squared);
 
 }  // namespace beadswim

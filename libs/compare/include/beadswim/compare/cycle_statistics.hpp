@@ -12,6 +12,7 @@
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/swimmers/force_dipole.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
 // Motion of one swimmer in one cycle of its driving. The arms are the bonds of the swimmer, in order. Their
@@ -20,13 +21,23 @@
 
 namespace beadswim {
 
+/// Force dipole of a swimmer in the box, the sum of two parts: one is known at each sample, the other as the
+/// time integral from the start of the run to the sample.
+struct DipoleSample {
+  SymmetricTensor present{};   ///< [mass length^2/time^2]
+  SymmetricTensor integral{};  ///< [mass length^2/time]
+
+  BEADSWIM_FIELDS(present, integral)
+};
+
 /// State of one swimmer at one time.
 struct SwimmerSample {
   double time = 0;                   ///< [time]
   std::vector<Vec3> bead_positions;  ///< centres of the beads, unwrapped [length]
   Vec3 mean_flow = Vec3::Zero();     ///< volume average of the velocity of fluid and beads [length/time]
+  DipoleSample dipole{};             ///< used by mean_dipole() only
 
-  BEADSWIM_FIELDS(time, bead_positions, mean_flow)
+  BEADSWIM_FIELDS(time, bead_positions, mean_flow, dipole)
 };
 
 /// Mean quantities and stroke of one period, in the units of the samples and in the frame of the box.
@@ -48,11 +59,13 @@ struct CycleStatistics {
   std::vector<double> arm_means;       ///< mean arm lengths [length]
   std::optional<double> power;         ///< mean power of the driving [mass length^2/time^3]
   std::optional<double> efficiency;    ///< Lighthill efficiency: drag of the towed swimmer x v^2/power [1]
+  std::optional<ForceDipole> dipole;   ///< mean_dipole(); nullopt if unknown
 
   BEADSWIM_FIELDS((index, not_a_column), velocity, axis, (speed_along_axis, not_a_column), mean_flow,
                   (orientation, omitted_if_none, not_a_column),
                   (angular_velocity, omitted_if_none, not_a_column), arm_amplitudes, arm_phases, arm_means,
-                  (power, omitted_if_none, not_a_column), (efficiency, omitted_if_none, not_a_column))
+                  (power, omitted_if_none, not_a_column), (efficiency, omitted_if_none, not_a_column),
+                  (dipole, omitted_if_none, not_a_column))
 };
 
 /// Returns the vector along a bond [length], from its first to its second bead.
@@ -62,6 +75,11 @@ Vec3 bond_vector(const SwimmerSample& sample, const Bond& bond);
 /// turns with the swimmer [length]. Arguments as of cycle_statistics().
 BeadVectors mean_shape(std::span<const SwimmerSample> samples, const SwimmerType& type,
                        const Eigen::Matrix3d& initial_orientation);
+
+/// Returns the mean force dipole of a cycle in the frame of the orientation at each time. Arguments as of
+/// cycle_statistics().
+ForceDipole mean_dipole(std::span<const SwimmerSample> samples, const SwimmerType& type,
+                        const Eigen::Matrix3d& initial_orientation);
 
 /// Fits a length that varies with the period of the driving to the samples of one cycle, in order of time.
 /// The sample times are also the times in the driving forces, so the fitted phase is relative to the driving.
@@ -78,8 +96,8 @@ StrokeFit fit_cycle(std::span<const SwimmerSample> samples, double period,
 ///   type     type of the swimmer, with its own driving
 ///   initial_orientation  at the start of the run (swimmers/swimmer_shape.hpp)
 ///   flow     background flow, in the units of the samples
-/// Time averages use the trapezoidal rule over all samples; fit_cycle() gives the stroke. Power and
-/// efficiency are left empty. Throws InputError if the samples do not satisfy the conditions.
+/// Time averages use the trapezoidal rule over all samples; fit_cycle() gives the stroke. Power, efficiency
+/// and dipole are left empty. Throws InputError if the samples do not satisfy the conditions.
 CycleStatistics cycle_statistics(int index, std::span<const SwimmerSample> samples, const SwimmerType& type,
                                  const Eigen::Matrix3d& initial_orientation, const BackgroundFlow& flow = {});
 

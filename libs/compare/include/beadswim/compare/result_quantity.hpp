@@ -22,6 +22,8 @@ enum class ResultQuantity {
   velocity_x,
   velocity_y,
   velocity_z,
+  speed_along_axis,
+  speed_across_axis,
   angular_velocity,
   angular_velocity_x,
   angular_velocity_y,
@@ -32,10 +34,12 @@ enum class ResultQuantity {
   power,
   efficiency,
   gap,
+  dipole,
 };
 
-/// Kinds of quantities with equal units: 1, radian, length, length/time, radian/time, mass length^2/time^3.
-enum class Dimension { number, angle, length, velocity, angular_velocity, power };
+/// Kinds of quantities with equal units: 1, radian, length, length/time, radian/time, mass length^2/time^3,
+/// mass length^2/time^2.
+enum class Dimension { number, angle, length, velocity, angular_velocity, power, energy };
 
 struct ResultRow {
   ResultQuantity quantity;
@@ -46,15 +50,19 @@ struct ResultRow {
   bool is_per_arm = false;    ///< false: the quantity has one number
 };
 
-/// velocity: along the axis of the swimmer. Velocities are relative to the mean flow; their components are
-/// those in the box. angular_velocity: its size. arm_amplitudes, arm_phases: d and delta of equation (4.1) of
-/// the paper (Pickl et al. 2017). gap: the smallest between the surfaces of the two beads of an arm.
+/// velocity: along the axis of the swimmer, compared as a vector. Velocities are relative to the mean flow;
+/// their components x, y, z are those in the box. speed_along_axis: the component along the axis alone, with
+/// its sign. speed_across_axis: size of the component perpendicular to the axis. angular_velocity: its size.
+/// arm_amplitudes, arm_phases: d and delta of equation (4.1) of the paper (Pickl et al. 2017). gap: the
+/// smallest between the surfaces of the two beads of an arm.
 // clang-format off
 inline constexpr auto result_rows = std::to_array<ResultRow>({
     {ResultQuantity::velocity, "velocity", Dimension::velocity, "velocity"},
     {ResultQuantity::velocity_x, "velocity_x", Dimension::velocity, "velocity, x"},
     {ResultQuantity::velocity_y, "velocity_y", Dimension::velocity, "velocity, y"},
     {ResultQuantity::velocity_z, "velocity_z", Dimension::velocity, "velocity, z"},
+    {ResultQuantity::speed_along_axis, "speed_along_axis", Dimension::velocity, "speed along the axis"},
+    {ResultQuantity::speed_across_axis, "speed_across_axis", Dimension::velocity, "speed across the axis"},
     {ResultQuantity::angular_velocity, "angular_velocity", Dimension::angular_velocity, "angular velocity"},
     {ResultQuantity::angular_velocity_x, "angular_velocity_x", Dimension::angular_velocity, "angular velocity, x"},
     {ResultQuantity::angular_velocity_y, "angular_velocity_y", Dimension::angular_velocity, "angular velocity, y"},
@@ -65,6 +73,7 @@ inline constexpr auto result_rows = std::to_array<ResultRow>({
     {ResultQuantity::power, "power", Dimension::power, "mean power of the drives", "power"},
     {ResultQuantity::efficiency, "efficiency", Dimension::number, "Lighthill efficiency", "efficiency"},
     {ResultQuantity::gap, "gap", Dimension::length, "smallest gap of an arm", "gap"},
+    {ResultQuantity::dipole, "dipole", Dimension::energy, "force dipole along the axis", "dipole"},
 });
 // clang-format on
 

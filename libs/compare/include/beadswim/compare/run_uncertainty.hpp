@@ -21,7 +21,7 @@ struct ErrorEstimate {
   double largest_of_arms() const { return std::max(arm_amplitudes[0], arm_amplitudes[1]); }
   double largest() const { return std::max(velocity, largest_of_arms()); }  ///< maximum of all errors
 
-  BEADSWIM_FIELDS((velocity, omitted_if(0)), arm_amplitudes)  // zero if no swimmer swims
+  BEADSWIM_FIELDS(velocity, arm_amplitudes)
 };
 
 /// Returns a relative error as text in per cent: two digits below 100 %, no decimals above, and "more than

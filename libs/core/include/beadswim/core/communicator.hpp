@@ -19,9 +19,10 @@ class MpiSession {
   MpiSession& operator=(const MpiSession&) = delete;
 };
 
-/// A private duplicate of an MPI communicator, freed with the object.
+/// A private duplicate of an MPI communicator, freed with the object; or this process alone.
 class Communicator {
  public:
+  Communicator() = default;  ///< this process alone, without MPI: needs no MpiSession, get() is null
   explicit Communicator(MPI_Comm parent);
   ~Communicator();
   Communicator(const Communicator&) = delete;
@@ -49,6 +50,11 @@ void broadcast(Bytes& bytes, const Communicator& communicator, int root = 0) {
   MPI_Bcast(&size, 1, MPI_INT64_T, root, communicator.get());
   bytes.resize(size);
   MPI_Bcast(bytes.data(), static_cast<int>(size), MPI_CHAR, root, communicator.get());
+}
+
+/// Copies numbers from rank 0 to all ranks. Collective.
+inline void broadcast_doubles(double* numbers, std::size_t count, const Communicator& communicator) {
+  if (communicator.size() > 1) MPI_Bcast(numbers, static_cast<int>(count), MPI_DOUBLE, 0, communicator.get());
 }
 
 /// Returns the number of ranks of the communicator that share memory with this rank, this rank included.

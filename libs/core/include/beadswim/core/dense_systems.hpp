@@ -29,12 +29,6 @@ struct SymmetricModes {
   Eigen::MatrixXd vectors;  ///< one per column
 };
 
-/// Square root of a positive definite symmetric matrix, and the inverse of the root.
-struct MatrixRoot {
-  explicit MatrixRoot(const Eigen::MatrixXd& matrix);
-  Eigen::MatrixXd root, inverse;
-};
-
 bool is_positive_definite(const Eigen::MatrixXd& matrix);
 
 /// Returns the solution x of a x = b for a positive definite matrix.

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <fmt/core.h>
+
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace beadswim {
 
@@ -28,6 +31,11 @@ class InputError : public std::runtime_error {
   /// program that throws.
   InputError(const std::string& where, const std::string& what_and_remedy)
       : std::runtime_error(where + ": " + what_and_remedy) {}
+  /// Constructs one of these messages from a format of fmt and its values.
+  template <class Where, class... Values>
+  requires(sizeof...(Values) > 0)
+      InputError(const Where& where, fmt::format_string<Values...> what_and_remedy, Values&&... values)
+      : InputError(where, fmt::format(what_and_remedy, std::forward<Values>(values)...)) {}
 };
 
 /// Failure of the solver, or of input or output, during a run. The program then ends with exit status 3.

@@ -4,7 +4,6 @@
 
 #include <string>
 #include <string_view>
-#include "beadswim/core/joined.hpp"
 
 namespace beadswim {
 

@@ -9,7 +9,6 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/fields.hpp"
-#include "beadswim/core/vec3.hpp"
 
 // A message is a sequence of bytes that contains values: numbers, vectors, lists, and records (structs that
 // list their fields, core/fields.hpp). Messages are sent between ranks or stored in files.
@@ -144,5 +143,22 @@ class IncomingMessage {
   std::vector<char> bytes_;
   std::size_t read_ = 0;
 };
+
+/// Returns the values as bytes, one after the other.
+template <class T>
+std::vector<char> bytes_of(const std::vector<T>& values) {
+  OutgoingMessage message;
+  for (const T& value : values) message(value);
+  return message.bytes();
+}
+
+/// Inverse of bytes_of(). Throws DataError if the bytes are not valid.
+template <class T>
+std::vector<T> values_from_bytes(std::vector<char> bytes) {
+  std::vector<T> values;
+  IncomingMessage message(std::move(bytes));
+  while (!message.is_at_end()) message(values.emplace_back());
+  return values;
+}
 
 }  // namespace beadswim

@@ -14,14 +14,16 @@ namespace beadswim {
 // clang-format off
 #define BEADSWIM_SETTINGS                                                                                    \
   amplitude, arm, bead_boundary, boundary, box, cells_per_radius, checkpoint_every, count, cycle, cycles,    \
-  damping, delay_correction, evaluations, flow_every, fraction, frame, frames_per_cycle, free_quantity,      \
-  friction, limit, lubrication, maximise, method, minimise, model, multipole_order, output, period, plan,    \
-  precision, radius_correction, ranks, refinement, relaxation_time, repair, restart, reynolds_stress,        \
-  seed, sigma, steps_per_cycle, stiffness, stroke_record, sum_tolerance, swimmer, tolerance, unbounded,      \
-  verification, viscosity
+  damping, delay_correction, evaluations, flow_every, flow_frame, flow_mean, flow_points, flow_region,       \
+  flow_spacing, fraction, frame, frames_per_cycle, frames_with, free_quantity, friction, limit, lubrication,  \
+  maximise, method, minimise, model, multipole_order, output, period, plan, precision, radius_correction, ranks,       \
+  refinement, relaxation_time, repair, restart, reynolds_stress, seed, sigma, steps_per_cycle, stiffness,    \
+  stroke_record, sum_tolerance, swimmer, tolerance, unbounded, verification, viscosity
 // clang-format on
 
 enum class Setting : int { BEADSWIM_SETTINGS };
+
+const char* identifier_of(Setting setting);  ///< returns for example "relaxation_time"
 
 /// Returns the identifier of a setting in words, for example "relaxation time".
 std::string words_of(Setting setting);

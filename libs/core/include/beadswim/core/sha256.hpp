@@ -17,10 +17,7 @@ class Sha256 {
   std::string hexadecimal();  ///< ends the stream and returns the hash as 64 hexadecimal digits
 
  private:
-  struct FreeContext {
-    void operator()(evp_md_ctx_st* context) const;
-  };
-  std::unique_ptr<evp_md_ctx_st, FreeContext> context_;
+  std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
 }  // namespace beadswim

@@ -7,7 +7,6 @@
 
 namespace beadswim {
 
-/// Closes a file of the C library.
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/message.hpp"
 #include "beadswim/coupling/bead_images.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
 #include "beadswim/coupling/fault.hpp"
@@ -47,7 +48,6 @@ class BeadExchange {
   /// are near this block, sorted by swimmer and bead.
   std::vector<BeadOnLattice> publish(std::vector<SwimmerState>& owned);
 
-  /// Returns the messages that have been sent so far.
   const Traffic& traffic() const { return traffic_; }
 
   /// Returns the ranks that this rank communicates with, including itself.
@@ -58,9 +58,8 @@ class BeadExchange {
   std::map<BeadName, Impulse> collect(std::span<const BeadOnLattice> beads);
 
  private:
-  using Buffers = std::vector<std::vector<char>>;  ///< one per peer
-
-  Buffers exchange(const Buffers& to_peers, int tag);
+  /// Sends one message to each peer, and returns those that the peers have sent.
+  std::vector<IncomingMessage> exchange(const std::vector<OutgoingMessage>& to_peers, int tag);
 
   MPI_Comm comm_;
   int rank_;

@@ -72,9 +72,9 @@ class BeadLinks {
   /// Bounces populations back at all links that must be processed before plane z of the block is swept (laws:
   /// link_laws.hpp). step_fluid() must call this function before each plane, in the order in which it sweeps
   /// the planes. The links then need only halo cells that are already filled. `coverage` and `beads`: those
-  /// for which the links were found.
+  /// for which the links were found; adds to the stress of their impulse.
   void bounce_back_before_plane(Populations& populations, const Coverage& coverage,
-                                std::span<const BeadOnLattice> beads, int z);
+                                std::span<BeadOnLattice> beads, int z);
 
   /// Adds the impulse, angular impulse, fluid mass and link weight that each bead has received from its links
   /// since the last call to BeadOnLattice::impulse.

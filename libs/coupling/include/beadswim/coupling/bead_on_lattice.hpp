@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/order_free_sum.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/scene/fault.hpp"
@@ -31,9 +32,33 @@ struct LoadSum {
   }
 };
 
+/// Symmetric traceless part of r p, summed over impulses p at r from the centre of a bead. The bits do not
+/// depend on the order of the terms.
+struct StressSum {
+  std::array<OrderFreeSum, 5> sums;  ///< of T = (r p + p r)/2: T_xx - T_zz, T_yy - T_zz, T_xy, T_xz, T_yz
+
+  void add(const Vec3& r, const Vec3& p) {
+    const double zz = r[2] * p[2];
+    sums[0].add(r[0] * p[0] - zz);
+    sums[1].add(r[1] * p[1] - zz);
+    sums[2].add((r[0] * p[1] + r[1] * p[0]) / 2);
+    sums[3].add((r[0] * p[2] + r[2] * p[0]) / 2);
+    sums[4].add((r[1] * p[2] + r[2] * p[1]) / 2);
+  }
+  void add(const StressSum& other) {
+    for (std::size_t n = 0; n < sums.size(); ++n) sums[n].add(other.sums[n]);
+  }
+  Eigen::Matrix3d value() const {
+    const double xy = sums[2].value(), xz = sums[3].value(), yz = sums[4].value();
+    const double zz = -(sums[0].value() + sums[1].value()) / 3;
+    return Eigen::Matrix3d{{sums[0].value() + zz, xy, xz}, {xy, sums[1].value() + zz, yz}, {xz, yz, zz}};
+  }
+};
+
 /// Impulses that the fluid and close beads transfer to a bead in one step, in lattice units.
 struct Impulse {
   LoadSum fluid;             ///< from the fluid
+  StressSum stress;          ///< by the impulse from the fluid
   OrderFreeSum mass;         ///< fluid mass that the bead takes up, beyond density 1
   OrderFreeSum link_weight;  ///< sum of the weights w_i of the links of the bead
   LoadSum inner;             ///< momentum of the fluid within the bead, for the scheme psm
@@ -44,6 +69,7 @@ struct Impulse {
 
   static void visit_fields(auto&& visit, auto&... impulses) {
     visit("fluid", impulses.fluid...);
+    visit("stress", impulses.stress...);
     visit("mass", impulses.mass...);
     visit("link_weight", impulses.link_weight...);
     visit("inner", impulses.inner...);
@@ -60,10 +86,7 @@ struct Impulse {
 struct BeadVelocity {
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
 
-  static void visit_fields(auto&& visit, auto& velocity) {
-    visit("linear", velocity.linear);
-    visit("angular", velocity.angular);
-  }
+  BEADSWIM_FIELDS(linear, angular)
 };
 
 /// A bead as stored by the ranks whose cells it touches, in lattice units.
@@ -80,16 +103,7 @@ struct BeadOnLattice {
   Impulse impulse;  ///< impulse from the cells of this rank that has not been sent to the owner yet
 
   /// Visits the fields that the owner sends to other ranks: all fields except the impulse.
-  static void visit_fields(auto&& visit, auto& bead) {
-    visit("name", bead.name);
-    visit("owner", bead.owner);
-    visit("radius", bead.radius);
-    visit("mass_source", bead.mass_source);
-    visit("body", bead.body);
-    visit("removed_fraction", bead.removed_fraction);
-    visit("predicted", bead.predicted);
-    visit("motion", bead.motion);
-  }
+  BEADSWIM_FIELDS(name, owner, radius, mass_source, body, removed_fraction, predicted, motion)
 
   /// Returns the velocity of the rigid bead at the point `from_centre` relative to its centre [cell/step].
   Vec3 velocity_at(const Vec3& from_centre) const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/coupling/bead_exchange.hpp"
 #include "beadswim/coupling/bead_links.hpp"
 #include "beadswim/coupling/close_beads.hpp"
@@ -24,7 +25,7 @@ namespace beadswim {
 /// Part of the state of a system that a checkpoint stores in addition to populations and swimmers.
 struct SystemProgress {
   long steps_done = 0;
-  double largest_bead_speed = 0;   ///< largest speed of any bead so far [cell/step]
+  double largest_bead_speed = 0;  ///< largest speed of any bead so far [cell/step]
   /// Smallest gap so far, as CoupledSystem::smallest_gap() [cell].
   double smallest_gap = std::numeric_limits<double>::infinity();
   Vec3 body_force = Vec3::Zero();  ///< momentum that each cell gains in the next step
@@ -33,13 +34,7 @@ struct SystemProgress {
   std::vector<BodyImpulse> body_impulses{};  ///< Levels::body_impulses()
 
   /// Visits all fields but the number of steps.
-  static void visit_fields(auto&& visit, auto& progress) {
-    visit("largest_bead_speed", progress.largest_bead_speed);
-    visit("smallest_gap", progress.smallest_gap);
-    visit("body_force", progress.body_force);
-    visit("unbalanced", progress.unbalanced);
-    visit("body_impulses", progress.body_impulses);
-  }
+  BEADSWIM_FIELDS(largest_bead_speed, smallest_gap, body_force, unbalanced, body_impulses)
 };
 
 /// Momentum, mean flow and mass of the complete scene, summed over all ranks, in lattice units.
@@ -51,11 +46,7 @@ struct SceneTotals {
   /// returned; divided by the number of cells.
   double mass_excess = 0;
 
-  static void visit_fields(auto&& visit, auto& totals) {
-    visit("momentum", totals.momentum);
-    visit("mean_flow", totals.mean_flow);
-    visit("mass_excess", totals.mass_excess);
-  }
+  BEADSWIM_FIELDS(momentum, mean_flow, mass_excess)
 };
 
 /// Fluid and swimmers on one lattice, advanced together, in lattice units. All ranks of the communicator
@@ -79,9 +70,6 @@ class CoupledSystem {
   const std::vector<SwimmerState>& owned_swimmers() const { return owned_; }
   const Levels& levels() const { return levels_; }
   Levels& levels() { return levels_; }
-  /// Returns populations and decomposition of the finest level.
-  const Populations& populations() const { return levels_.finest().populations; }
-  const Decomposition& decomposition() const { return levels_.finest().decomposition; }
   const Coverage& coverage() const { return coverage_; }
   /// Returns the beads that touch the block of this rank. coverage() identifies the bead of a covered cell by
   /// its index in this list.
@@ -148,6 +136,8 @@ class CoupledSystem {
   void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
   void add_driving_impulse(const SwimmerMotion& now, const SwimmerMotion& before, const SwimmerLoads& loads,
                            const SwimmerType& type);
+  void add_dipole(SwimmerState& swimmer, const SwimmerMotion& before, const SwimmerLoads& reactions,
+                  const Eigen::Matrix3d& stress) const;
   /// Sets the body force of the next step, in scenes with net driving forces that no wall takes up. Along the
   /// periodic axes, it balances the driving forces of this step and removes a part of the momentum that fluid
   /// and beads have with the densities of the layout. Collective: such scenes alone communicate globally in
@@ -199,6 +189,8 @@ class CoupledSystem {
   /// body force, which Levels::half_impulse() contains for this volume too. With psm, less half of the forces
   /// on the fluid outside the beads, which does not belong to its velocity.
   FluidTotals volume_of_beads() const;
+  /// Mass of a bead beyond that of the displaced fluid, with the density of the layout.
+  double excess_mass(const Bead& bead) const;
   /// Momentum of owned beads beyond volume_of_beads(), with the densities of the layout.
   FluidTotals excess_totals() const;
 
@@ -207,9 +199,9 @@ class CoupledSystem {
   Levels levels_;
   BeadExchange exchange_;
   NearContactLaw near_contact_;
-  bool has_net_force_ = false;      ///< true if a body force balances net driving forces
-  FluidTotals driving_impulse_;     ///< impulse of driving forces on owned swimmers in this step
-  std::vector<int> substeps_;       ///< number of substeps per step, for each swimmer type
+  bool has_net_force_ = false;   ///< true if a body force balances net driving forces
+  FluidTotals driving_impulse_;  ///< impulse of driving forces on owned swimmers in this step
+  std::vector<int> substeps_;    ///< number of substeps per step, for each swimmer type
   std::vector<SwimmerState> owned_;
   std::vector<BeadOnLattice> beads_, beads_before_;
   Coverage coverage_;
@@ -217,8 +209,8 @@ class CoupledSystem {
   SaturatedCells saturated_cells_;  ///< empty for schemes with links
   /// Impulses on owned swimmers that a restored state contained and that are not yet applied.
   std::map<BeadName, Impulse> pending_impulses_;
-  std::optional<Fault> fault_;     ///< the first fault on this rank
-  bool state_is_finite_ = true;    ///< false after a number on this rank became non-finite
+  std::optional<Fault> fault_;   ///< the first fault on this rank
+  bool state_is_finite_ = true;  ///< false after a number on this rank became non-finite
   /// Speed and gap are those of this rank: of owned swimmers, and of close beads in its block. body_impulses
   /// is not up to date.
   SystemProgress progress_;

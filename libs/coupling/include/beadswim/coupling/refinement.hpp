@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,25 +13,15 @@
 
 namespace beadswim {
 
-/// Corners of the smallest box that contains a set of beads [cell].
-struct BeadExtent {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+/// Returns the smallest box that contains all beads of a scene at their initial positions [cell].
+Eigen::AlignedBox3d bead_extent(const CoupledScene& scene);
 
-  void add(const Vec3& centre, double radius) {
-    low = low.array().min(centre.array() - radius);
-    high = high.array().max(centre.array() + radius);
-  }
-};
-/// Returns the extent of all beads of a scene at their initial positions.
-BeadExtent bead_extent(const CoupledScene& scene);
-
-/// Chooses `count` nested levels around the beads. Returns them coarsest first, each in coordinates of its
-/// own cells; the first fills the box. Each level is the smallest box of whole cells of the next coarser
-/// level that keeps distances to the beads and to the next finer level. Along a periodic axis where it would
-/// come too close to its own image, it spans the box. Returns nothing if an edge of the box is not a whole
-/// number of coarsest cells, or a level would come too close to a wall.
-std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const BeadExtent& beads,
+/// Chooses `count` nested levels around a box that contains the beads [cell]. Returns them coarsest first,
+/// each in coordinates of its own cells; the first fills the box. Each level is the smallest box of whole
+/// cells of the next coarser level that keeps distances to the beads and to the next finer level. Along a
+/// periodic axis where it would come too close to its own image, it spans the box. Returns nothing if an edge
+/// of the box is not a whole number of coarsest cells, or a level would come too close to a wall.
+std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const Eigen::AlignedBox3d& beads,
                                                 int count);
 
 /// Returns the levels around the beads at their initial positions with which a step costs least. Returns

@@ -53,8 +53,9 @@ class SaturatedCells {
 
   /// Applies the forces of beads on the fluid in the cells of row (y, z) of the block, by changing the
   /// incoming populations of these cells. step_fluid() must call this function before each row. The function
-  /// uses incoming populations of this row only. `beads`: those for which the cells were found.
-  void apply_forces_before_row(Populations& populations, std::span<const BeadOnLattice> beads, int y, int z);
+  /// uses incoming populations of this row only. `beads`: those for which the cells were found; adds to the
+  /// stress of their impulse.
+  void apply_forces_before_row(Populations& populations, std::span<BeadOnLattice> beads, int y, int z);
 
   /// Adds the impulse and angular impulse on each bead since the last call, and the momentum and angular
   /// momentum of the fluid within it, to BeadOnLattice::impulse.

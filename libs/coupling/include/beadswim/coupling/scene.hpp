@@ -38,9 +38,10 @@ struct CoupledScene : Swarm {
     return levels.empty() ? std::vector<Block>{{.offset = Index3::Zero(), .size = cells}} : levels;
   }
 
-  /// Returns the radius with which a bead acts on the fluid, corrected if corrects_radii is true [cell].
-  double radius_on_lattice(const Bead& bead) const {
-    return corrects_radii ? corrected_radius(bead_boundary, bead.radius) : bead.radius;
+  /// Returns the radius with which a bead of this radius acts on the fluid, corrected if corrects_radii is
+  /// true [cell].
+  double radius_on_lattice(double radius) const {
+    return corrects_radii ? corrected_radius(bead_boundary, radius) : radius;
   }
 };
 

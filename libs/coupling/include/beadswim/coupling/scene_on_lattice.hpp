@@ -56,10 +56,7 @@ struct SceneOnLattice {
   double density_on_lattice() const;
 
   /// Returns the radius with which the smallest bead acts on the fluid [cell].
-  double radius_on_lattice() const {
-    const double radius = resolution.cells_per_radius;
-    return scene.corrects_radii ? corrected_radius(scene.bead_boundary, radius) : radius;
-  }
+  double radius_on_lattice() const { return scene.radius_on_lattice(resolution.cells_per_radius); }
 };
 
 /// Converts a layout to a scene on the lattice. Throws InputError, with `source` as the name of the layout,

@@ -3,8 +3,10 @@
 #include <array>
 #include <vector>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/message.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
+#include "beadswim/swimmers/force_dipole.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 
 namespace beadswim {
@@ -15,6 +17,8 @@ struct SwimmerState {
   int type = 0;  ///< index into CoupledScene::types
   /// Columns of the orientation at the start of the run (swimmers/swimmer_shape.hpp).
   std::array<Vec3, 3> initial_orientation{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  /// Sum over all steps of the force dipole by the impulses of the fluid, about the mean bead position.
+  SymmetricTensor dipole_sum{};
   // One entry per bead:
   SwimmerMotion motion;
   /// Excess mass (density - 1) of fluid that each bead has covered and not yet returned through its links.
@@ -22,6 +26,8 @@ struct SwimmerState {
   /// Fluid mass that each link of a bead returns in the next step, divided by the weight of the link.
   std::vector<double> mass_source;
   SwimmerLoads last_impulse;             ///< impulses of the fluid on the beads in the previous step
+  /// Means of the impulses of the fluid in the last two steps: its forces and torques on the beads.
+  SwimmerLoads fluid_loads;
   SwimmerLoads inner_momentum;           ///< momenta of the fluid within the beads (psm, saturated_cells.hpp)
   std::vector<BeadVelocity> predicted;   ///< velocities at the end of the next step without close beads
   std::vector<double> removed_fraction;  ///< Impulse::removed_fraction of the beads in the last step
@@ -43,22 +49,15 @@ struct SwimmerState {
   /// contains it owns the swimmer.
   const Vec3& middle() const { return motion[motion.size() / 2].position; }
 
-  static void visit_fields(auto&& visit, auto& swimmer) {
-    visit("id", swimmer.id);
-    visit("type", swimmer.type);
-    visit("initial_orientation", swimmer.initial_orientation);
-    visit_bead_fields(visit, swimmer);
-  }
+  BEADSWIM_FIELDS(id, type, initial_orientation, dipole_sum, held_mass, mass_source, removed_fraction, motion,
+                  last_impulse, fluid_loads, inner_momentum, predicted)
 
   /// Visits the fields with one entry per bead. state_sha256() hashes these fields.
   static void visit_bead_fields(auto&& visit, auto& swimmer) {
-    visit("held_mass", swimmer.held_mass);
-    visit("mass_source", swimmer.mass_source);
-    visit("removed_fraction", swimmer.removed_fraction);
-    visit("motion", swimmer.motion);
-    visit("last_impulse", swimmer.last_impulse);
-    visit("inner_momentum", swimmer.inner_momentum);
-    visit("predicted", swimmer.predicted);
+    const auto visit_lists = [&]<class Field>(const char* name, Field& field) {
+      if constexpr (varies_in_size<std::remove_const_t<Field>>) visit(name, field);
+    };
+    visit_fields(visit_lists, swimmer);
   }
 };
 
@@ -67,29 +66,8 @@ struct SwimmerSnapshot {
   SwimmerState state;
   std::vector<Impulse> pending_impulses;  ///< impulses on its beads, not yet applied; sums over all ranks
 
-  static void visit_fields(auto&& visit, auto& snapshot) {
-    visit("state", snapshot.state);
-    visit("pending_impulses", snapshot.pending_impulses);
-  }
+  BEADSWIM_FIELDS(state, pending_impulses)
 };
-
-/// Returns the states or snapshots of swimmers as bytes. Only machines with the same byte order and sizes of
-/// numbers can read these bytes.
-template <class State>
-std::vector<char> bytes_of(const std::vector<State>& states) {
-  OutgoingMessage message;
-  for (const State& state : states) message(state);
-  return message.bytes();
-}
-
-/// Inverse of bytes_of(). Throws SolverError if the bytes are not valid.
-template <class State>
-std::vector<State> states_from_bytes(std::vector<char> bytes) {
-  std::vector<State> states;
-  IncomingMessage message(std::move(bytes));
-  while (!message.is_at_end()) message(states.emplace_back());
-  return states;
-}
 
 /// Returns the size of the snapshot of a swimmer with this number of beads [byte].
 inline std::size_t snapshot_size(std::size_t beads) {

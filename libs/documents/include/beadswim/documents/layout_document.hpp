@@ -12,10 +12,12 @@ namespace beadswim {
 struct LayoutDocument {
   Layout layout;
   Json provenance = Json::array();
+  Json made_by{};  ///< object: the command and the parameters that describe the layout; null: none do
   Json study{};  ///< object: value of each varied quantity by its name; null: nothing was varied
 
   static void visit_fields(auto&& visit, auto& document) {
     Layout::visit_fields(visit, document.layout);
+    visit("made_by", document.made_by, omitted_if_none);
     visit("study", document.study, omitted_if_none);
     visit("provenance", document.provenance);
   }

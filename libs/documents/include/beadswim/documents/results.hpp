@@ -27,6 +27,14 @@ Results results_of(const RunRecord& run, const SwimmerRecord& swimmer, const Cyc
                    const std::string& source,
                    RunUncertainty uncertainty = RunUncertainty::with_expected_error);
 
+/// Returns the arithmetic mean of each number and of relative uncertainties; a quantity that one element
+/// lacks is unknown. `all`: not empty.
+Results mean_of(const std::vector<Results>& all);
+
+/// Returns the axis of the swimmer in the box, for which a prediction states vectors; nullopt if the scene is
+/// unknown (nullptr), or if the axis is not that of the scene, because the drives turn the swimmer.
+std::optional<Vec3> predicted_axis(const Prediction& prediction, const Layout* scene, int swimmer);
+
 /// Returns the results of a prediction for a swimmer. `scene`: nullptr if unknown; then there is no gap.
 /// `swimmer`: id of the swimmer in the scene.
 Results results_of(const Prediction& prediction, const Layout* scene, int swimmer);

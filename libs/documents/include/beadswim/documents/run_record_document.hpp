@@ -174,14 +174,6 @@ struct RunCost {
                   (communication, omitted_if_none))
 };
 
-/// Relative errors that are expected in a run; for the arm amplitudes, of d1 and d2.
-struct ExpectedErrorRecord {
-  double velocity = 0;
-  std::array<double, 2> arm_amplitudes{};
-
-  BEADSWIM_FIELDS(velocity, arm_amplitudes)
-};
-
 /// A warning about a run: a code for programs, and a message for users.
 struct RunWarning {
   std::string code;
@@ -209,7 +201,7 @@ struct RunRecord {
   std::optional<LatticeResolution> resolution;
   std::optional<MobilityRecord> mobility;
   std::optional<NearContactRecord> near_contact;
-  std::optional<ExpectedErrorRecord> expected_error;  ///< nullopt: unknown
+  std::optional<ErrorEstimate> expected_error;        ///< nullopt: unknown
   std::optional<std::vector<RunWarning>> warnings;    ///< nullopt: unknown
   std::optional<RunCost> cost;
   std::optional<std::string> state_sha256;    ///< nullopt after a fault

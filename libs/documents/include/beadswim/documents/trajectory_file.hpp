@@ -33,9 +33,9 @@ TrajectoryFile open_trajectory(const std::string& path);
 /// swimmers. Its model is "trajectory". Throws InputError if the file is invalid.
 RunRecord run_of_trajectory(const std::string& path);
 
-/// Throws InputError for an id that no swimmer has, with a message such as "FLAG: no swimmer 12 in run.h5md;
-/// the nearest is 8, ids are 0 to 8".
-[[noreturn]] void throw_unknown_swimmer(const std::string& flag, int id, const std::vector<int>& ids,
-                                        const std::string& source);
+/// Returns the index of an id in the ids of swimmers. Throws InputError if no swimmer has it, with a message
+/// such as "FLAG: no swimmer 12 in run.h5md; the nearest is 8, ids are 0 to 8".
+std::size_t swimmer_with_id(int id, const std::vector<int>& ids, const std::string& flag,
+                            const std::string& source);
 
 }  // namespace beadswim

@@ -38,6 +38,10 @@ AxisScale linear_scale(double low, double high, TickKind kind);
 ///   less than a decade   as in linear_scale()
 AxisScale logarithmic_scale(double low, double high);
 
+/// Returns a scale that ends at `low` and at `high`, with the ticks of linear_scale() or logarithmic_scale()
+/// between them.
+AxisScale exact_scale(double low, double high, ScaleKind kind);
+
 /// Returns a power of ten as text, for example "10⁻⁵" for -5.
 std::string power_of_ten(int exponent);
 

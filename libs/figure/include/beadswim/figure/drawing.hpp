@@ -16,6 +16,12 @@ struct Drawing {
   std::string csv;  ///< the numbers that are drawn, as comma-separated values
 };
 
+/// Label of an axis or of a colour bar: "quantity (unit)", or "quantity" if the unit is empty.
+struct AxisLabel {
+  std::string quantity;
+  std::string unit{};
+};
+
 /// Converts an SVG document to PDF if the name `path` of the output file ends in .pdf, otherwise to PNG, with
 /// the program rsvg-convert of librsvg. A PNG image has twice the size of the document, for a better
 /// resolution in print. Throws InputError if rsvg-convert is not installed, and SolverError if it fails.

@@ -32,12 +32,6 @@ struct Series {
   std::string data_label{};  ///< label of the numbers (Drawing::csv), if it is not `label`
 };
 
-/// Label of an axis: "quantity (unit)", or "quantity" if the unit is empty.
-struct AxisLabel {
-  std::string quantity;
-  std::string unit{};
-};
-
 /// A value at (x, y), shown as the colour of a rectangle around this point.
 struct MapCell {
   double x = 0, y = 0, value = 0;

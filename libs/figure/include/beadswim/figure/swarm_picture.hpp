@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct PicturedSwimmer {
   std::vector<PicturedBead> beads;          ///< at least one
   std::vector<std::array<int, 2>> bonds{};  ///< indices of the two beads that each bond joins
   int colour = 0;                           ///< index in the palette of Okabe and Ito, modulo its size
+  std::optional<double> value{};            ///< shown by the colour if SwarmPicture::value_label is set
+  Vec3 axis = Vec3::Zero();                 ///< unit vector from tail to head; zero: no head is drawn
   std::array<int, 3> layer{};               ///< number of the swimmer's layer along each axis, from 0
 
   /// Returns the bead with the index n/2 of n beads. It stands for the swimmer's position.
@@ -47,6 +50,7 @@ struct SwarmPicture {
   Vec3 box = Vec3::Zero();  ///< lengths of the box, which starts at the origin; its edges are drawn [length]
   std::vector<PicturedSwimmer> swimmers{};
   std::vector<std::string> keys{};  ///< legend: the meanings of the colours 0, 1, ...
+  AxisLabel value_label{};  ///< of the values that colours show, with a bar; empty: colours of the palette
   std::vector<PictureMark> marks{};
   std::vector<PictureDistance> distances{};
   std::vector<Note> notes{};
@@ -55,9 +59,11 @@ struct SwarmPicture {
   Vec3 origin = Vec3::Zero();  ///< place of the corner of the box in the coordinates of the layout [length]
 };
 
-/// Draws the picture, with about 70 bytes per bead: beads are shaded discs and bonds are lines, and near ones
-/// hide far ones. Its numbers are the beads: id of the swimmer, number of the bead in it, place in the
-/// coordinates of the layout and radius, with the unit of length. Throws InputError if there is no swimmer.
+/// Draws the picture, with about 70 bytes per bead: beads are shaded discs, bonds are lines and heads are
+/// triangles in front of the swimmer, and near ones hide far ones. Swimmers without value are grey. Its
+/// numbers are the beads: id of the swimmer, number of the bead in it, place in the coordinates of the layout
+/// and radius, with the unit of length, and the value that the colour shows. Throws InputError if there is no
+/// swimmer.
 Drawing draw(const SwarmPicture& picture);
 
 /// Moves each swimmer by multiples of the box lengths along periodic axes, so that its middle bead is in the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,5 +23,9 @@ template <class T>
 std::string base64(const std::vector<T>& values) {
   return base64(bytes_of(std::span(values)));
 }
+
+/// Returns the bytes that a Base64 text encodes, with a zero for each character = at its end. Returns nullopt
+/// if the text has other characters or if its length is not a multiple of 4.
+std::optional<std::string> decoded_base64(const std::string& text);
 
 }  // namespace beadswim

@@ -56,6 +56,10 @@ inline Vec3 unit_vector(const Vec3& vector) {
   return (vector / largest).normalized();  // the squares of the vector itself could underflow or overflow
 }
 
+inline std::optional<Vec3> unit_vector(const std::optional<Vec3>& vector) {
+  return vector ? std::optional(unit_vector(*vector)) : std::nullopt;
+}
+
 /// Appends the fields of a record to a JSON object.
 template <HasFields Record>
 void add_fields(Json& json, const Record& record) {

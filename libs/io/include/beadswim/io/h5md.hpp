@@ -38,6 +38,8 @@ struct TrajectoryHeader {
   std::vector<Column>
       cycle_columns{};  ///< names and shapes of the columns of TrajectoryCycle, without numbers
 
+  bool has_forces = false;  ///< frames have forces and drives
+
   /// Returns the number of swimmers.
   std::size_t swimmers() const { return std::ranges::count(bead, 1); }
   /// Returns the indices of the first beads of all swimmers.
@@ -56,6 +58,8 @@ struct TrajectoryFrame {
   double time = 0;                ///< [time]
   std::vector<Vec3> positions;    ///< unwrapped: not moved back into the box [length]
   std::vector<Vec3> velocities;   ///< [length/time]
+  std::vector<Vec3> forces{};     ///< of the fluid on each bead, if the header says so [mass length/time^2]
+  std::vector<Vec3> drives{};     ///< of the drives on each bead, likewise [mass length/time^2]
   Vec3 mean_flow = Vec3::Zero();  ///< volume average of the velocity of fluid and beads [length/time]
   Vec3 momentum = Vec3::Zero();   ///< total momentum of fluid and beads [mass length/time]
 };

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "beadswim/core/names.hpp"
+#include "beadswim/core/temporary_file.hpp"
 
 // Reading of strict JSON, and writing of JSON whose numbers are all finite.
 
@@ -25,6 +26,10 @@ template <NamedEnum Enum>
 void from_json(const Json& json, Enum& value) {
   value = from_text<Enum>(json.get<std::string>());
 }
+
+/// Opens a file, or a copy of a pipe or of stdin if `path` is "-", to read it at any place. Throws InputError
+/// if it cannot be read.
+OpenFile open_input(const std::string& path);
 
 /// Returns the text of a file, or of stdin if `path` is "-". Throws InputError if it cannot be read.
 std::string read_text(const std::string& path);

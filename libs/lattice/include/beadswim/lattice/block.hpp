@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
 // Decomposition of a lattice into blocks of cells, one block per MPI rank.
@@ -15,12 +15,9 @@ struct Block {
   Index3 offset = Index3::Zero();
   Index3 size = Index3::Zero();
 
+  BEADSWIM_FIELDS(offset, size)
+
   Index3 end() const { return offset + size; }
-  /// Returns offset and size as numbers, for messages.
-  std::array<int, 6> numbers() const { return {offset[0], offset[1], offset[2], size[0], size[1], size[2]}; }
-  static Block of_numbers(const std::array<int, 6>& n) {
-    return {.offset = {n[0], n[1], n[2]}, .size = {n[3], n[4], n[5]}};
-  }
   bool operator==(const Block& other) const {
     return (offset == other.offset).all() && (size == other.size).all();
   }

@@ -60,7 +60,6 @@ class Halo {
   /// or through a face perpendicular to z.
   void finish(Populations& populations);
 
-  /// Returns the messages that have been sent so far.
   const Traffic& traffic() const { return traffic_; }
 
   /// Returns the other ranks that exchange halo cells with this rank.

@@ -9,6 +9,7 @@
 
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/fields.hpp"
 #include "beadswim/lattice/block.hpp"
 #include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/populations.hpp"
@@ -69,10 +70,7 @@ struct BodyImpulse {
   Vec3 pending = Vec3::Zero();  ///< for the next step of the level, with the rounding errors of earlier steps
   Vec3 acted = Vec3::Zero();    ///< impulse of the last step
 
-  static void visit_fields(auto&& visit, auto& impulse) {
-    visit("pending", impulse.pending);
-    visit("acted", impulse.acted);
-  }
+  BEADSWIM_FIELDS(pending, acted)
 };
 
 class LevelInterface;
@@ -129,7 +127,6 @@ class Levels {
   /// moved. `totals`: coarser_totals() of this rank; if it is empty, the rank counts as zero. Collective.
   CellMoments sum_of_coarser(std::vector<FluidTotals> totals, const Communicator& communicator) const;
 
-  /// Returns the messages that have been sent so far.
   Traffic traffic() const;
   /// Returns the other ranks that exchange populations with this rank.
   std::set<int> neighbours() const;

@@ -19,6 +19,7 @@ struct EwaldScene {
   double beads = 0;           ///< number of beads in the box
   double largest_radius = 0;  ///< radius of the largest bead [length]
   int moment_order = 0;       ///< highest moment of the forces (force_moments.hpp)
+  double points = 0;          ///< number of points at which the flow is needed; 0: at the beads
   double tolerance = 1e-4;    ///< accepted error of bead velocities, divided by their root mean square
   /// Open space over the wall of a half-space: edges of the box around all beads and their mirror points
   /// [length]. nullopt: no wall.
@@ -50,6 +51,10 @@ struct EwaldPlan {
 /// edge, so that at most one image of each pair is within the cutoff. Throws InputError if the tolerance is
 /// not in [1e-12, 1e-2], or if an edge of the periodic box is less than four times the largest radius.
 EwaldPlan plan_ewald(const EwaldScene& scene);
+
+/// Returns the parameters of the Ewald sum for the flow at the points of the scene; nullopt if in open space
+/// the sum over all pairs of a point and a bead takes less time. Throws InputError as plan_ewald().
+std::optional<EwaldPlan> plan_flow(const EwaldScene& scene);
 
 /// Returns the smallest number of mesh points that is at least `min_size` and has no prime factors except 2,
 /// 3, 5 and 7. Fast Fourier transforms (FFTs) of such sizes are fast.

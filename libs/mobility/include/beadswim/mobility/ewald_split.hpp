@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/mobility/rotne_prager_tensor.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 
 // clang-format off
 // Hasimoto's splitting of the Oseen and Rotne-Prager tensors into a near part and a far part. The near part

@@ -46,6 +46,9 @@ constexpr int degree_of_moment(int m) {
   return m < 3 ? 0 : (m < 8 ? 1 : 2);
 }
 
+/// Returns the stresslet S with these 5 coefficients.
+Eigen::Matrix3d stresslet_of(const double* coefficients);
+
 /// c_l of the equation above.
 constexpr std::array<double, 3> size_factors{1.0 / 6, 1.0 / 10, 1.0 / 14};
 
@@ -71,5 +74,10 @@ Eigen::MatrixXd moment_self_mobility(int order, double radius, double viscosity)
 
 /// Returns the part of moment_self_mobility() by wavenumbers below `wavenumber`. In it, F and Q couple.
 Eigen::MatrixXd moment_self_mobility_below(double wavenumber, int order, double radius, double viscosity);
+
+/// Returns the part of moment_self_mobility() by the far part of an Ewald sum with the splitting parameter xi
+/// [1/length] (ewald_split.hpp): by the wavenumbers k with the weight (1 + k^2/(4 xi^2)) exp(-k^2/(4 xi^2)),
+/// and with P_l P_m = 1 + (c_l + c_m) a^2 laplacian, the terms that the flow of other spheres needs.
+Eigen::MatrixXd far_moment_self_mobility(double xi, int order, double radius, double viscosity);
 
 }  // namespace beadswim

@@ -21,14 +21,14 @@
 //
 // The model (MobilityModel) determines mu_ij for i != j:
 //
-//   oseen      Oseen tensor of point forces (rotne_prager_tensor.hpp)
+//   oseen      Oseen tensor of point forces (collinear/oseen.hpp)
 //   rpy        Rotne-Prager-Yamakawa tensor of spheres; mu is positive definite even if spheres overlap
-//   rpy+near   S^T mu S instead of mu, with mu of rpy and a map S of the forces (near_field.hpp)
+//   rpy+near   close beads have induced stresslets, and a map S of the forces (near_map.hpp)
 //   multipole  higher moments of the forces keep the surfaces of the spheres rigid (force_moments.hpp)
 //   unsteady   as multipole, in a fluid with inertia (fluid_memory.hpp)
 //
-// The map S makes the mobility of close spheres exact along the lines between their centres. S^T mu S is
-// positive definite. The additional cost of the map is small.
+// The map S makes the mobility of close spheres exact along the lines between their centres. The result is
+// positive definite. If spheres are close, the sum over stresslets costs several times the sum over forces.
 //
 // The spheres are in open space or in a box. Each axis of the box is periodic or has free-slip walls, which
 // act as mirrors. In a box the sum over j includes all periodic and mirror images of the spheres. The Fourier
@@ -73,7 +73,9 @@ struct ProductWork {
   long products = 0;
   long iterations = 0;       ///< of the method of conjugate gradients; each needs one sum over all moments
   double residual = 0;       ///< largest square root of (dissipation by the residual/power of the forces)
-  bool is_converged = true;  ///< false if 100 iterations did not suffice for a product
+  /// false if a product needed more than 100 iterations, or met a curvature that is not positive or a
+  /// residual that is not a number
+  bool is_converged = true;
 
   void add(const ProductWork& other) {
     products += other.products;
@@ -83,11 +85,17 @@ struct ProductWork {
   }
 };
 
-/// State of the memory of the fluid, on one rank.
-struct MemoryState {
-  std::vector<double> modes;       ///< of the flow on the mesh, those of this rank
-  std::vector<double> unresolved;  ///< flow of each sphere that the mesh does not resolve
-  std::vector<double> moments;     ///< moments of the spheres in earlier steps
+/// Spheres that move in the fluid; lists of all spheres.
+struct MovingSpheres {
+  std::span<const Vec3> positions;   ///< [length]
+  std::span<const Vec3> velocities;  ///< [length/time]
+  std::span<const double> moments;   ///< that the spheres exert on the fluid (Mobility::moments())
+};
+
+/// Flow at points, one element each.
+struct FlowAtPoints {
+  std::vector<Vec3> velocities;  ///< [length/time]
+  std::vector<int> spheres;      ///< index of the sphere that contains the point; -1: a point in the fluid
 };
 
 class Mobility {
@@ -97,7 +105,9 @@ class Mobility {
   /// these cases:
   ///   - There is no sphere.
   ///   - A radius, the viscosity, a length of the box, the tolerance or the order of moments is invalid.
-  /// All ranks must call the constructor and all other functions that are not const (collective).
+  ///   - The numbers of positions and radii differ, or a swimmer of `lines` goes beyond the spheres.
+  /// All functions throw InputError if an array lacks elements for all spheres, or has more.
+  /// All ranks must call the constructor, gather_memory() and all functions that are not const (collective).
   Mobility(MobilityScene scene, std::span<const Vec3> positions, const Communicator& communicator);
   ~Mobility();
   Mobility(const Mobility&) = delete;
@@ -113,6 +123,15 @@ class Mobility {
   /// with force moments to the tolerance.
   ProductWork apply(std::span<const Vec3> forces, std::span<Vec3> velocities,
                     FlowPart part = FlowPart::forces);
+  /// Returns the moments that the spheres exert on the fluid by the forces of the last apply(), start() or
+  /// end_step(): equally many numbers per sphere, first its force (force_moments.hpp). With `rpy+near` these
+  /// are the forces and stresslets after the map.
+  std::span<const double> moments() const;
+  /// Returns the flow of `spheres` at `points`, which exert no force, with the background flow and the memory
+  /// of the fluid at the end of the last step. Inside a sphere it is the velocity of the sphere, without
+  /// rotation. The error is within the tolerance, divided by the root mean square of sphere velocities.
+  /// `points` are equal on all ranks, as are the results. Collective.
+  FlowAtPoints flow_at(std::span<const Vec3> points, const MovingSpheres& spheres) const;
   /// Sets `projections` to those of the flow of `moments`, moment_count() numbers per sphere each
   /// (force_moments.hpp), without a map of close spheres and without background flow.
   void project_flow_of(std::span<const double> moments, std::span<double> projections);
@@ -122,10 +141,15 @@ class Mobility {
   /// Ends a time step, at whose end the spheres exert `forces` on the fluid. `mean_flow`: mean velocity of
   /// the fluid, with the insides of the spheres. Only with memory.
   ProductWork end_step(std::span<const Vec3> forces, const Vec3& mean_flow);
-  MemoryState memory_state() const;
-  void restore(const MemoryState& state);
 
-  /// Returns the parameters of the Ewald sum; nullopt if all pairs are summed directly, without an Ewald sum.
+  /// Returns the memory of the fluid on rank 0, and an empty list on other ranks. Only with memory.
+  std::vector<double> gather_memory() const;
+  /// Replaces the memory of the fluid, for example by that of a checkpoint. `memory` is equal on all ranks.
+  /// Throws SolverError if its size is different. Only with memory.
+  void restore_memory(std::span<const double> memory);
+
+  /// Returns the parameters of the Ewald sum at the present positions; nullopt if all pairs are summed
+  /// directly, without an Ewald sum.
   const std::optional<EwaldPlan>& plan() const;
 
  private:

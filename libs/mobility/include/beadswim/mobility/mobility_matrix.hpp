@@ -2,9 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "beadswim/collinear/pair_mobility.hpp"
-#include "beadswim/core/vec3.hpp"
-#include "beadswim/mobility/rotne_prager_tensor.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 
 namespace beadswim {
 

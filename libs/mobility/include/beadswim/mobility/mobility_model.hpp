@@ -8,7 +8,7 @@ namespace beadswim {
 enum class MobilityModel {
   oseen,      ///< Oseen tensor of point forces
   rpy,        ///< Rotne-Prager-Yamakawa tensor of spheres
-  rpy_near,   ///< rpy, corrected for close spheres (near_field.hpp); spheres 3k to 3k + 2: one swimmer
+  rpy_near,   ///< rpy, corrected for close spheres and for MobilityScene::lines (near_field.hpp)
   multipole,  ///< moments of the force up to MobilityScene::moment_order (force_moments.hpp); order 0 is rpy
   unsteady,   ///< as multipole, in a fluid with inertia (fluid_memory.hpp)
 };

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/mobility/rotne_prager_tensor.hpp"
+#include "beadswim/collinear/rotne_prager.hpp"
 
 // clang-format off
 // Approximate mobility of spheres in one time step h of a fluid with memory (fluid_memory.hpp). The factor

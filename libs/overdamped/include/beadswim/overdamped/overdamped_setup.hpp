@@ -33,8 +33,10 @@ struct OverdampedSetup {
 };
 
 /// Converts a layout to a scene for a mobility model. `frames_per_cycle`: number of frames that are recorded
-/// per base period. `source` is the name of the layout in messages. Throws InputError if the layout has
-/// no-slip walls, or if an edge of its box is less than 4.4 times the radius of the largest bead.
+/// per base period. `source` is the name of the layout in messages. Throws InputError in these cases:
+///   - The box of the layout has no-slip walls, or an edge below 4.4 times the radius of the largest bead.
+///   - The model is unsteady, and the layout has a half-space or a background flow, or radii, densities, net
+///     forces or the mesh exceed the limits of this model (docs/method/fluid-memory.md).
 OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
                                  int frames_per_cycle, const std::string& source);
 

@@ -58,11 +58,17 @@ struct OverdampedState {
   /// Smallest height of a bead over the wall, relative to the radius of the bead, in any step; infinity
   /// without half-space.
   double smallest_relative_height = std::numeric_limits<double>::infinity();
+  /// Number of steps, smallest gap [radius of the smallest bead] and relative height at the last check of the
+  /// mobility of oseen.
+  long checked_steps = 0;
+  double checked_gap = 0, checked_height = 0;
   std::array<Beads, 3> positions;   ///< positions now, one step ago and two steps ago [length]
   std::array<Beads, 3> velocities;  ///< velocities now, one step ago and two steps ago [length/time]
   /// Part of the velocities of the beads that is due to the flow of all other swimmers: now, one step and two
   /// steps ago [length/time].
   std::array<Beads, 3> distant;
+  /// Eigenvector of the smallest eigenvalue of the mobility of oseen at its last check; other models: empty.
+  Beads lowest_mode;
 
   /// Visits the statistics.
   static void visit_fields(auto&& visit, auto& state) {
@@ -72,19 +78,23 @@ struct OverdampedState {
     visit("largest_speed", state.largest_speed);
     visit("smallest_gap", state.smallest_gap);
     visit("smallest_relative_height", state.smallest_relative_height);
+    visit("checked_steps", state.checked_steps);
+    visit("checked_gap", state.checked_gap);
+    visit("checked_height", state.checked_height);
   }
   /// Visits the vectors per bead that determine all later steps.
   static void visit_bead_fields(auto&& visit, auto& state) {
     visit("positions", state.positions);
     visit("velocities", state.velocities);
     visit("distant", state.distant);
+    visit("lowest_mode", state.lowest_mode);
   }
 };
 
-class ImplicitStep;
 struct ImplicitStepResult;
 struct StepHistory;
 struct StepRule;
+struct StepScene;
 
 class OverdampedSystem {
  public:
@@ -108,25 +118,33 @@ class OverdampedSystem {
   /// Returns the momentum of fluid and beads [mass length/time]; 0 without memory of the fluid.
   Vec3 momentum() const;
 
-  /// Returns the memory of the fluid on rank 0, and an empty list on other ranks. Collective.
-  std::vector<double> gather_memory() const;
-  /// Replaces the memory of the fluid, for example by that of a checkpoint. `memory` is equal on all ranks.
-  /// Throws SolverError if its size is different. Collective.
-  void restore_memory(std::span<const double> memory);
-
   /// Return positions [length] and velocities [length/time]: one vector per bead, in order of the
   /// swimmers.
   std::span<const Vec3> positions() const { return state_.positions[0]; }
   std::span<const Vec3> velocities() const { return state_.velocities[0]; }
+
+  /// Returns the moments that the beads exert on the fluid (Mobility::moments()) at the end of the last step;
+  /// empty at a restart.
+  std::span<const double> moments() const { return moments_; }
+  /// Returns the flow at points [length] (Mobility::flow_at()). Not at a restart. Collective.
+  FlowAtPoints flow_at(std::span<const Vec3> points) const {
+    return mobility_.flow_at(points, {positions(), velocities(), moments()});
+  }
+
+  /// Returns the forces of the fluid on the beads at the end of the last step; empty at a restart. With
+  /// memory of the fluid they include the inertia of the fluid that the beads displace, whose acceleration is
+  /// known to second order in the time step.
+  std::vector<Vec3> fluid_forces() const;
 
   /// Returns the range [first, end) of the swimmers that this rank advances.
   std::pair<std::size_t, std::size_t> own_swimmers() const;
 
   const std::optional<Fault>& fault() const { return fault_; }
 
-  /// Replaces the state by a state of the same scene, for example from a checkpoint. Throws SolverError if
-  /// the number of beads is different.
-  void restore(OverdampedState state);
+  /// Replaces the state by a state of the same scene, for example from a checkpoint, and the memory of the
+  /// fluid, if there is one, by `memory` (Mobility::restore_memory()). Throws SolverError if the number of
+  /// beads or the size of the memory is different. Collective.
+  void restore(OverdampedState state, std::span<const double> memory);
 
  private:
   ImplicitStepResult solve_step(const StepRule& rule, const StepHistory& history, const Beads& guess,
@@ -147,14 +165,10 @@ class OverdampedSystem {
   const Communicator& communicator_;
   std::vector<double> radii_;  ///< radius of each bead [length]
   Mobility mobility_;
-  std::unique_ptr<ImplicitStep> implicit_step_;
-  /// Eigenvector of the smallest eigenvalue of the mobility, of all beads; empty: always positive definite.
-  Eigen::VectorXd lowest_mode_;
-  /// Number of steps, smallest gap [radius of the smallest bead] and relative height at the last check of the
-  /// mobility.
-  long checked_steps_ = 0;
-  double checked_gap_ = 0, checked_height_ = 0;
+  std::unique_ptr<const StepScene> step_scene_;
   OverdampedState state_;
+  Beads forces_;  ///< of the beads on the fluid at the end of the last step; empty after restore()
+  std::vector<double> moments_;
   bool is_converged_ = true;  ///< true if all steps so far converged
   std::optional<Fault> fault_;
 };

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <complex>
 #include <optional>
 
@@ -16,7 +15,7 @@
 // motion of a bead.
 //
 //   eta -> eta (1 - i omega t_s)            stress lags strain by t_s = nu/c^2 = (tau - 1/2) steps
-//   M -> M + sound_flow                     with the changed eta in M; sound_flow: sound_flow.hpp
+//   M -> M + sound_flow                     with the changed eta in M; sound_flow(): below
 //   F = e^{-i omega step} (M^-1 - i omega m_f) U + i omega (m + zeta t_d) U
 //
 //   omega    driving frequency [rad/time];  nu  kinematic viscosity [length^2/time];  tau  relaxation time
@@ -39,13 +38,35 @@ struct LatticeTiming {
   bool corrects_delay = true;  ///< true: beads have added mass, which compensates the delay of forces
 };
 
-/// Relative errors of arm amplitudes and velocity, caused by finite time steps. The velocity of a swimmer has
-/// two parts, which have separate errors: the velocity that the mean Reynolds stress of the fluid causes, and
-/// the drift by the displacements of the beads.
-struct LagErrors {
-  std::array<double, 2> arm_amplitudes{};  ///< positive if the amplitude of the run is too large
-  double velocity = 0;                     ///< sum of the magnitudes of the errors of both parts
+/// Values of the velocity of a swimmer and of its two arm amplitudes, in this order: the quantities
+/// themselves [length/time, length], or their relative errors.
+using MotionValues = Eigen::Array3d;
+
+// Contribution of sound to the flow around three beads on a line, in a slightly compressible fluid. Forces f
+// along x that vary as exp(i omega t) cause a longitudinal flow u in addition to the incompressible flow. For
+// the Fourier components with wavevector k,
+//
+//   u(k) = (k_x/k)^2 i omega / (rho (c^2 k^2 - omega^2 + 2 i omega nu k^2)) f(k)
+//
+//   k        wavevector of the box [1/length];  k_x its component along x, the axis of the swimmer
+//   omega    angular frequency [rad/time];  c  speed of sound [length/time]
+//   rho, nu  density [mass/length^3] and kinematic viscosity [length^2/time] of the fluid
+//
+// Beads are spherical shells of radius a with the form factor sin(ka)/(ka). Free-slip walls are mirrors. The
+// flow vanishes as 1/c^2 for large c.
+
+/// Velocities of the flow by sound at the beads, per force on the beads, and their derivatives.
+struct SoundFlow {
+  Eigen::Matrix3cd value;        ///< element (j, i): velocity of bead j per force on bead i [time/mass]
+  Eigen::Matrix3cd by_receiver;  ///< derivative of value(j, i) by position x_j of bead j [time/(mass length)]
 };
+
+/// Returns the flow by sound in the box `place`, or in open space if `place` is nullopt. In open space the
+/// off-diagonal elements are zero, because sound from other beads is neglected. In a box the flow is a sum
+/// over the wavevectors k with |k| up to 6/(smallest radius), but at most over the 2 x 10^5 wavevectors with
+/// the smallest |k|. The waves with larger |k| are added to the diagonal elements as an integral.
+/// sound_speed: [length/time].
+SoundFlow sound_flow(const InertialScene& scene, const std::optional<BoxPlace>& place, double sound_speed);
 
 /// Evaluates the errors of one swimmer for any time step. The constructor computes all quantities that do not
 /// depend on the step. In open space, the effect of sound is evaluated for each bead alone; sound from other
@@ -54,8 +75,11 @@ class LatticeLag {
  public:
   explicit LatticeLag(const Question& question);
 
-  /// Returns the errors of a run with these time steps.
-  LagErrors errors(const LatticeTiming& timing) const;
+  /// Returns the relative errors of a run with these time steps. Those of arm amplitudes are positive if the
+  /// amplitude of the run is too large. The velocity has two parts, which have separate errors: that by the
+  /// mean Reynolds stress of the fluid, and the drift by the displacements of the beads. Its error is the sum
+  /// of the magnitudes of both.
+  MotionValues errors(const LatticeTiming& timing) const;
 
  private:
   /// Values of a matrix at the driving frequency omega, and at a slightly lower and a slightly higher

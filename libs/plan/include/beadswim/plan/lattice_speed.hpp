@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/fields.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/io/json.hpp"
 
@@ -16,11 +17,7 @@ struct PrecisionCost {
   std::vector<double> seconds_per_cell;  ///< core-seconds per cell and step for each entry of `cells` [s]
   std::vector<double> seconds_per_area;  ///< core-seconds per step and bead area, per BeadScheme [s/cell^2]
 
-  static void visit_fields(auto&& visit, auto& cost) {
-    visit("cells", cost.cells);
-    visit("seconds_per_cell", cost.seconds_per_cell);
-    visit("seconds_per_area", cost.seconds_per_area);
-  }
+  BEADSWIM_FIELDS(cells, seconds_per_cell, seconds_per_area)
 };
 
 /// Cost of a lattice step on this machine with a number of ranks.

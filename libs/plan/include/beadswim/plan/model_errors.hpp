@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 
@@ -17,15 +16,21 @@
 
 namespace beadswim {
 
+/// Converts relative errors.
+inline ErrorEstimate estimate_of(const MotionValues& errors) {
+  return {.velocity = errors[0], .arm_amplitudes = {errors[1], errors[2]}};
+}
+
 /// Expected relative error of a run: its usual size and its limit.
 struct ErrorRange {
-  ErrorEstimate typical;  ///< root mean square of the error over similar scenes and places within cells
-  ErrorEstimate limit;    ///< 95 of 100 runs have a smaller error
+  /// Root mean square of the error over similar scenes and places within cells.
+  MotionValues typical = MotionValues::Zero();
+  MotionValues limit = MotionValues::Zero();  ///< 95 of 100 runs have a smaller error
 
   /// Adds a known contribution to the errors of the velocity.
   void add_to_velocity(double contribution) {
-    typical.velocity += contribution;
-    limit.velocity += contribution;
+    typical[0] += contribution;
+    limit[0] += contribution;
   }
 };
 
@@ -35,21 +40,18 @@ struct RunErrors {
   ErrorEstimate typical;  ///< as ErrorRange::typical
 };
 
-/// Velocity and arm amplitudes of a swimmer.
-struct PredictedMotion {
-  double velocity = 0;                     ///< [length/time]
-  std::array<double, 2> arm_amplitudes{};  ///< [length]
-};
-
 /// Motion by the most accurate method of theory (inertia-corrected), and its uncertainty.
-struct BestPrediction : PredictedMotion {
-  ErrorEstimate uncertainty{};
+struct BestPrediction {
+  MotionValues motion = MotionValues::Zero();
+  MotionValues uncertainty = MotionValues::Zero();  ///< relative
   /// Factor by which errors of lattice runs increase because contributions to the velocity cancel. It is the
-  /// velocity of the same stroke in open space without inertia, divided by `velocity`, times (1 + uncertainty
-  /// of `velocity`), but at least 1.
+  /// velocity of the same stroke in open space without inertia, divided by `velocity()`, times (1 +
+  /// uncertainty of the velocity), but at least 1.
   double cancellation = 1;
-  bool is_swimming = true;         ///< false: `velocity` is zero or only roundoff, without a relative error
+  bool is_swimming = true;         ///< false: the velocity is zero or only roundoff, without a relative error
   double smallest_stroke_gap = 0;  ///< smallest gap of neighbouring beads in the stroke [length]
+
+  double velocity() const { return motion[0]; }
 };
 
 /// Returns the prediction of the method inertia-corrected, which includes the inertia of fluid and beads.
@@ -58,7 +60,7 @@ BestPrediction best_prediction(const Question& question);
 
 /// Returns the relative differences of a motion from `best`; 0 for a velocity or arm amplitude of `best` that
 /// is zero.
-ErrorEstimate difference(const PredictedMotion& motion, const BestPrediction& best);
+MotionValues difference(const MotionValues& motion, const BestPrediction& best);
 
 /// Returns the relative error of the velocity in a run with a mobility model by its time steps and by the
 /// accuracy of the products of mobility and forces.
@@ -100,21 +102,8 @@ ErrorRange resolution_error(const LatticeLag& lag, const std::optional<BestPredi
 /// velocity of a cycle wanders while the swimmer moves through a cell. The limit is two standard deviations.
 ErrorRange wander_error(const std::optional<BestPrediction>& best, const ResolvedRun& run);
 
-/// Returns operation(a, b), separately for the velocity and for each arm amplitude.
-template <class Operation>
-ErrorEstimate merged(const ErrorEstimate& a, const ErrorEstimate& b, const Operation& operation) {
-  return {.velocity = operation(a.velocity, b.velocity),
-          .arm_amplitudes = {operation(a.arm_amplitudes[0], b.arm_amplitudes[0]),
-                             operation(a.arm_amplitudes[1], b.arm_amplitudes[1])}};
-}
-
-/// Returns the root of the sum of squares of two independent errors.
+/// Return the root of the sum of squares of two independent errors.
+MotionValues combined(const MotionValues& a, const MotionValues& b);
 ErrorRange combined(const ErrorRange& a, const ErrorRange& b);
-
-/// Returns the larger of the errors in `a` and `b`, separately for the velocity and for each arm amplitude.
-ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b);
-
-/// Returns all errors, multiplied by `factor`.
-ErrorEstimate scaled(double factor, ErrorEstimate error);
 
 }  // namespace beadswim

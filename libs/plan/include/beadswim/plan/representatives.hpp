@@ -22,14 +22,15 @@ struct Representative {
   /// True: the swimmer is not the paper's, and `question` is for three beads with similar radii, distances
   /// and strokes. Their errors have not been validated for the shape.
   bool is_stand_in = false;
+  double bead_speed = 0;  ///< of the fastest bead of the swimmer, to first order in the drives [length/time]
   bool is_slanted = false;  ///< true: driving forces have a component normal to the axis
 };
 
-/// Returns one representative for each type and each driving of this type. Drivings that differ only in phase
-/// offset count as one. For a type with more than eight drivings, the result contains at most five swimmers
-/// of this type: the first swimmer, the swimmers with the largest and the smallest force, and the swimmers
-/// with the longest and the shortest period. `cell`: smallest cell whose repetition gives the scene
-/// (scene/reduce.hpp). Throws InputError for swimmers without springs.
+/// Returns one representative for each kind of swimmers: those of the same type and driving, apart from the
+/// phase offset, and along equal edges of a box; with driving along x, also at the same angle to it. For a
+/// type with more than eight kinds, the result contains at most four swimmers of this type: those with the
+/// largest and the smallest force along the axis, the longest and the shortest period. `cell`: smallest cell
+/// whose repetition gives the scene (scene/reduce.hpp). Throws InputError for swimmers without springs.
 std::vector<Representative> representatives(const Layout& cell);
 
 /// A periodic box so large that a single swimmer moves almost as in the box or open space of the layout. The

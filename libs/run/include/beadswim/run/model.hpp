@@ -1,11 +1,14 @@
 #pragma once
 
-#include <array>
+#include <fmt/core.h>
+
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/compare/run_uncertainty.hpp"
 #include "beadswim/core/message.hpp"
 #include "beadswim/core/round_up.hpp"
@@ -13,6 +16,7 @@
 #include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
+#include "beadswim/run/flow_request.hpp"
 #include "beadswim/run/run_length.hpp"
 #include "beadswim/run/run_settings.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
@@ -35,12 +39,6 @@ struct SwimmerIdentity {
   int type = 0;  ///< index into ModelPlan::periods and ModelPlan::radii
 };
 
-/// Positions and velocities of the beads of a swimmer.
-struct SwimmerPose {
-  int id = 0;
-  std::vector<BeadMotion> motion;  ///< [ModelPlan::units]
-};
-
 /// Momentum, mean flow and mass of the scene.
 struct ModelTotals {
   std::optional<Vec3> momentum;       ///< momentum of fluid and beads [mass length/time]
@@ -48,10 +46,27 @@ struct ModelTotals {
   std::optional<double> mass_excess;  ///< mass relative to the fluid at rest, minus 1
 };
 
-/// Fault (unphysical state) that ends a run.
-struct ModelFault {
-  RunStatus status = RunStatus::failed;  ///< failed or stopped_speed
-  std::string message;                   ///< place, fault, likely cause and remedy, for users
+/// Flow at a point, in units of the layout.
+struct PointFlow {
+  Vec3 velocity = Vec3::Zero();      ///< inside a bead that of the bead
+  std::optional<double> pressure{};  ///< relative to the fluid at rest; nullopt: the model has none
+  double bead =
+      0;  ///< number of the bead around the point; 0: none; of a mean: share of the time within beads
+
+  BEADSWIM_FIELDS(velocity, pressure, bead)
+};
+
+/// Appends a warning. Its message is a format of fmt with its values.
+template <class... Values>
+void add_warning(std::vector<RunWarning>& warnings, const char* code, fmt::format_string<Values...> message,
+                 Values&&... values) {
+  warnings.push_back({code, fmt::format(message, std::forward<Values>(values)...)});
+}
+
+/// Status and reason with which a run ends before its last step.
+struct EarlyStop {
+  RunStatus status = RunStatus::stopped_signal;
+  std::string reason;  ///< of a fault: place, fault, likely cause and remedy, for users
 };
 
 /// Swimmers in a fluid, which are advanced in time steps.
@@ -78,18 +93,29 @@ class Model {
   /// [ModelPlan::units]. `number`: index from 0 to own_swimmers() - 1. `ahead`: a fraction, positive or
   /// negative. The error is proportional to ahead^3. Local.
   virtual std::vector<Vec3> bead_positions(int number, double ahead) const = 0;
+  /// Returns the present force dipoles of all swimmers that this rank owns [ModelPlan::units]. Local.
+  virtual std::vector<DipoleSample> dipoles() const = 0;
   /// Returns the beads of all swimmers, in the order of their ids, on rank 0, and an empty list on other
-  /// ranks. Positions and velocities are those at the present time plus `ahead` time steps, as above.
-  virtual std::vector<SwimmerPose> gather_swimmers(double ahead) const = 0;
+  /// ranks [ModelPlan::units]. Positions and velocities are those at the present time plus `ahead` time
+  /// steps, as above.
+  virtual std::vector<SwimmerMotion> gather_swimmers(double ahead) const = 0;
+
+  /// Returns the present forces of the fluid on all beads, in the order of gather_swimmers(), on rank 0
+  /// [ModelPlan::units].
+  virtual std::vector<Vec3> gather_fluid_forces() const = 0;
 
   virtual ModelTotals first_totals() const = 0;  ///< totals at the start of the run
   virtual ModelTotals totals() = 0;              ///< evaluates the present totals
-  /// Returns the first fault that any rank has found; nullopt if there is none. The result is the same on all
-  /// ranks. Total mass and momentum are checked only if totals() was called after the last step.
-  virtual std::optional<ModelFault> fault() const = 0;
+  /// Returns the first fault (unphysical state) that any rank has found, with the status failed or
+  /// stopped_speed; nullopt if there is none. The result is the same on all ranks. Total mass and momentum
+  /// are checked only if totals() was called after the last step.
+  virtual std::optional<EarlyStop> fault() const = 0;
 
-  /// Writes the present flow fields, if the options request flow fields.
-  virtual void write_flow() = 0;
+  /// Returns the present flow at points in the box [length], complete on rank 0.
+  virtual std::vector<PointFlow> flow_at(std::span<const Vec3> points) const = 0;
+  /// Writes the present flow on all cells of the lattice, one file per level of cells
+  /// (ModelPlan::flow_levels()).
+  virtual void write_flow(const std::vector<std::string>& /*files*/) const {}
   /// Adds the data that only this model has to a record that already contains status, momentum and cost.
   virtual void describe(RunRecord& record) const = 0;
   /// Returns warnings about states during the run that may have made the results less accurate.
@@ -112,12 +138,13 @@ struct ModelPlan {
   ModelPlan(const ModelPlan&) = delete;
   ModelPlan& operator=(const ModelPlan&) = delete;
 
-  /// Makes the model in its initial state. `trajectory`: path beside which flow fields are written; empty:
-  /// nowhere. `flow_until`: time step until which an earlier run has already written flow fields. The plan
-  /// must exist as long as the model. Throws InputError on all ranks.
-  virtual std::unique_ptr<Model> make(const std::string& trajectory, long flow_until) const = 0;
+  /// Makes the model in its initial state. The plan must exist as long as the model. Throws InputError on all
+  /// ranks.
+  virtual std::unique_ptr<Model> make() const = 0;
   /// Returns the scene on the lattice of the run; nullptr for models without a lattice. Local.
   virtual const SceneOnLattice* lattice() const { return nullptr; }
+  /// Returns the number of levels of cells; 0 without a lattice. Local.
+  virtual int flow_levels() const { return 0; }
 
   /// Rounds a number of steps up to a multiple of step_multiple.
   long whole_steps(long steps) const { return round_up_to_multiple(steps, step_multiple); }
@@ -125,6 +152,7 @@ struct ModelPlan {
   long steps_in(double cycles) const { return whole_steps(total_steps(cycles, steps_per_cycle)); }
 
   RunSettings settings;                    ///< settings of the run, completed by the plan
+  std::optional<FlowRequest> flow;         ///< where flow is written; nullopt: nowhere
   UnitScales units;                        ///< of the model, in the units of the layout
   double base_period = 0;                  ///< duration of one cycle of the run [time]
   double time_step = 0;                    ///< [time]
@@ -132,11 +160,7 @@ struct ModelPlan {
   long steps_done = 0;                     ///< time steps of the earlier run that this run continues
   std::vector<double> periods;             ///< driving period of each type [step]
   std::vector<std::vector<double>> radii;  ///< radii of the beads of each type [length]
-  /// Stiffness of each angular spring of each type in the run, divided by that of the layout; empty: 1.
-  std::vector<std::vector<double>> softening;
-  std::vector<PlacedSwimmer> swimmers;  ///< in the order of their ids [ModelPlan::units]
-  /// Lattice cells that are updated in a step, as a mean over steps; nullopt: no lattice.
-  std::optional<double> updates_per_step;
+  std::vector<PlacedSwimmer> swimmers;     ///< in the order of their ids [ModelPlan::units]
   /// The state can be written, and the run can end, after a multiple of this number of steps.
   long step_multiple = 1;
   std::string announcement;                ///< description of the run, one line

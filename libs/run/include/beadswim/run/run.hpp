@@ -35,14 +35,8 @@ struct RunTask {
   std::unique_ptr<CheckpointReader> checkpoint{};
 };
 
-/// Status and reason with which a run stops early without a fault.
-struct StopRequest {
-  RunStatus status = RunStatus::stopped_signal;
-  std::string reason;
-};
-
 /// Returns the request to stop after a signal to this process; nullopt if `signal` is 0.
-std::optional<StopRequest> stop_by_signal(int signal);
+std::optional<EarlyStop> stop_by_signal(int signal);
 
 /// Functions that a run calls, each of which may be empty.
 struct RunSinks {
@@ -51,7 +45,7 @@ struct RunSinks {
   /// Takes the number of time steps that are done, every 20 steps. Rank 0 only.
   std::function<void(long)> progress{};
   /// Returns a request to stop, on any rank; nullopt: the run goes on. Called every 20 steps.
-  std::function<std::optional<StopRequest>()> stop{};
+  std::function<std::optional<EarlyStop>()> stop{};
   /// Called inside the catch block of an exception that one rank may have thrown alone, with the path of the
   /// latest checkpoint (empty: none). Files are open then that only all ranks together can close, so a
   /// program with several ranks must end all of them here. On one rank this function may return; run() then

@@ -3,6 +3,7 @@
 #include <optional>
 #include <tuple>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
 
@@ -46,14 +47,7 @@ struct Fault {
   Vec3 position = Vec3::Zero();  ///< centre of the bead; in mobility runs before the step
   double value = 0;              ///< quantity that violates its limit; unit: see FaultKind
 
-  static void visit_fields(auto&& visit, auto& fault) {
-    visit("kind", fault.kind);
-    visit("step", fault.step);
-    visit("bead", fault.bead);
-    visit("other", fault.other);
-    visit("position", fault.position);
-    visit("value", fault.value);
-  }
+  BEADSWIM_FIELDS(kind, step, bead, other, position, value)
 
   bool names_bead() const { return bead.swimmer >= 0; }
 };

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -8,6 +7,7 @@
 
 #include "beadswim/core/background_flow.hpp"
 #include "beadswim/core/box.hpp"
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
@@ -23,13 +23,14 @@ struct Units {
     std::string name;
     double si_factor = 1;  ///< size of the unit in metres, seconds or kilograms
 
-    static void visit_fields(auto&& visit, auto& unit) {
-      visit("name", unit.name);
-      visit("si_factor", unit.si_factor);
-    }
+    bool operator==(const Unit&) const = default;
+
+    BEADSWIM_FIELDS(name, si_factor)
   };
   bool lattice = true;
-  Unit length, time, mass;
+  Unit length, time, mass;  ///< not used if `lattice` is true
+
+  bool operator==(const Units&) const = default;
 };
 
 struct Fluid {
@@ -38,10 +39,14 @@ struct Fluid {
 
   double dynamic_viscosity() const { return density * kinematic_viscosity; }  ///< eta [mass/(length time)]
 
-  static void visit_fields(auto&& visit, auto& fluid) {
-    visit("density", fluid.density);
-    visit("kinematic_viscosity", fluid.kinematic_viscosity);
-  }
+  BEADSWIM_FIELDS(density, kinematic_viscosity)
+};
+
+/// State of a swimmer at the start of a run, instead of its shape at rest.
+struct SwimmerStart {
+  std::vector<Vec3> positions;  ///< centres of the beads in the box, unwrapped [length]
+
+  BEADSWIM_FIELDS(positions)
 };
 
 /// One swimmer. A swimmer without its own driving has the driving of its type.
@@ -54,9 +59,15 @@ struct Swimmer {
   /// Turns the frame of the type to that of the box, with the x axis onto `axis`. Without it, the shortest
   /// turn of the x axis onto `axis` does.
   std::optional<Eigen::Quaterniond> turn{};
+  std::optional<SwimmerStart> start{};
 
   /// Returns the orientation; its first column is `axis`.
   Eigen::Matrix3d orientation() const;
+
+  /// Moves the swimmer: its position and its beads at the start.
+  void move_to(const Vec3& new_position);
+  /// Turns the beads at the start about the position. Leaves the orientation as it is.
+  void turn_start(const Eigen::Quaterniond& rotation);
 
   static void visit_fields(auto&& visit, auto& swimmer) {  // layout_document.hpp writes `driving`
     visit("id", swimmer.id);
@@ -64,6 +75,7 @@ struct Swimmer {
     visit("position", swimmer.position);
     visit("orientation", swimmer.turn, omitted_if_none);
     visit("axis", swimmer.axis, omitted_when(swimmer.turn.has_value()));
+    visit("start", swimmer.start, omitted_if_none);
   }
 };
 
@@ -72,10 +84,9 @@ struct Resolution {
   double cells_per_radius = 0;  ///< smallest bead radius, divided by the edge of a cell
   double relaxation_time = 0;   ///< tau [step]
 
-  static void visit_fields(auto&& visit, auto& resolution) {
-    visit("cells_per_radius", resolution.cells_per_radius);
-    visit("relaxation_time", resolution.relaxation_time);
-  }
+  bool operator==(const Resolution&) const = default;
+
+  BEADSWIM_FIELDS(cells_per_radius, relaxation_time)
 };
 
 struct Layout {
@@ -96,16 +107,9 @@ struct Layout {
   /// driving.
   SwimmerType resolved_type(const Swimmer& swimmer) const;
 
-  static void visit_fields(auto&& visit, auto& layout) {
-    visit("units", layout.units);
-    visit("fluid", layout.fluid);
-    visit("domain", layout.domain);
-    visit("flow", layout.flow, omitted_if(BackgroundFlow{}));
-    visit("body_force", layout.body_force, omitted_when(layout.body_force.isZero(0)));
-    visit("types", layout.types);
-    visit("swimmers", layout.swimmers);
-    visit("resolution", layout.resolution, omitted_if_none);
-  }
+  BEADSWIM_FIELDS(units, fluid, domain, (flow, omitted_if(BackgroundFlow{})),
+                  (body_force, omitted_when(record.body_force.isZero(0))), types, swimmers,
+                  (resolution, omitted_if_none))
 };
 
 /// Returns the domain in words, for figures and messages: "box 120 × 80 × 80", "open space" or "half-space

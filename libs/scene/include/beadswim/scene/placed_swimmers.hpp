@@ -12,12 +12,13 @@
 
 namespace beadswim {
 
-/// A swimmer at the start of a run, at rest.
+/// A swimmer at the start of a run.
 struct PlacedSwimmer {
   int id = 0;
   int type = 0;                  ///< index into Swarm::types
   Vec3 position = Vec3::Zero();  ///< origin of the type's frame, unwrapped [length]
   Eigen::Matrix3d orientation = Eigen::Matrix3d::Identity();
+  std::vector<Vec3> start{};  ///< centres of the beads, unwrapped [length]; empty: as at_start() has them
 };
 
 /// Swimmers and the types that they share.
@@ -41,7 +42,7 @@ struct BeadRange {
 /// Returns the beads of each swimmer in lists of all beads in order of the swimmers.
 std::vector<BeadRange> bead_ranges(const Swarm& swarm);
 
-/// Returns the centres of all beads at the start (at_start()) [length], in order of the swimmers.
+/// Returns the centres of all beads at the start [length], in order of the swimmers.
 std::vector<Vec3> start_positions(const Swarm& swarm);
 
 /// Returns the radii of all beads [length], in the order of start_positions.

@@ -16,9 +16,6 @@ const std::vector<Units::Unit>& known_units(Quantity quantity);
 /// Returns the known unit with this name, or nullptr.
 const Units::Unit* find_known_unit(Quantity quantity, const std::string& name);
 
-/// Returns true if lengths, times and masses have the same units in `a` and `b`.
-bool same_units(const Units& a, const Units& b);
-
 /// Return the names of units for figures: "um", "s" and "um/s", or "lattice units".
 std::string length_unit(const Units& units);
 std::string time_unit(const Units& units);

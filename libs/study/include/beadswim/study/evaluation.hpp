@@ -37,7 +37,7 @@ struct Evaluator {
 struct EvaluatorSettings {
   std::optional<int> swimmer;    ///< id; nullopt: theory for all, which must be equal; models: their mean
   std::optional<double> cycles;  ///< length of a run by a model [base period]; nullopt: as by default
-  std::function<std::optional<StopRequest>()> stop{};  ///< of a run (RunSinks)
+  std::function<std::optional<EarlyStop>()> stop{};  ///< of a run (RunSinks)
 };
 
 /// Returns whether the name is that of a model. Its evaluator makes runs on one rank, whose last cycles

@@ -19,13 +19,15 @@ std::string quantity_name(const std::string& text, const std::string& flag);
 /// Values of the quantities of a study, by name: numbers (angles in radian) or words.
 using StudyPoint = std::vector<std::pair<std::string, Json>>;
 
-/// Returns the layout with the values of `point`. `layout`: JSON of a layout, named `source` in messages.
-/// Named quantities are set by set_quantities(). Throws InputError if a named quantity cannot have its value
-/// or changes no swimmer, if a pointer leads to nothing or to no single value, if the layout has the quantity
-/// in its study already, or if it is invalid with these values. `flag`: flag of the command line that named
-/// the quantities, for messages.
+/// Returns the layout with the values of `point`, without made_by. `layout`: JSON of a layout, named `source`
+/// in messages. Named quantities are set by set_quantities(); /swimmers/N/rotate/x, y or z turns a swimmer
+/// about its position by an angle about this axis [radian]. Throws InputError if a named quantity cannot have
+/// its value or changes no swimmer, if a pointer leads to nothing or to no single value, if the layout has
+/// the quantity in its study already, or if it is invalid with these values. `flag`: flag of the command line
+/// that named the quantities, for messages. `present`: values of further quantities that the layout has
+/// already, for its study and messages.
 LayoutDocument with_values(const Json& layout, const StudyPoint& point, const std::string& source,
-                           const std::string& flag);
+                           const std::string& flag, const StudyPoint& present = {});
 
 /// A quantity and the values that it takes in turn.
 struct Variation {

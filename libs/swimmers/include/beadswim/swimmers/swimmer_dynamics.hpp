@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
@@ -17,11 +18,7 @@ struct BeadMotion {
   Vec3 velocity = Vec3::Zero();
   Vec3 angular_velocity = Vec3::Zero();
 
-  static void visit_fields(auto&& visit, auto& bead) {
-    visit("position", bead.position);
-    visit("velocity", bead.velocity);
-    visit("angular_velocity", bead.angular_velocity);
-  }
+  BEADSWIM_FIELDS(position, velocity, angular_velocity)
 };
 
 /// Force on a bead [mass length/time^2], and torque about its centre [mass length^2/time^2].
@@ -29,10 +26,7 @@ struct Load {
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
 
-  static void visit_fields(auto&& visit, auto& load) {
-    visit("force", load.force);
-    visit("torque", load.torque);
-  }
+  BEADSWIM_FIELDS(force, torque)
 };
 
 using SwimmerMotion = std::vector<BeadMotion>;  ///< one per bead

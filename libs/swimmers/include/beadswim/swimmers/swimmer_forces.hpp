@@ -60,7 +60,8 @@ BeadVectors driving_forces(const SwimmerType& type, double time, const BeadVecto
                            const Eigen::Matrix3d& initial_orientation);
 
 /// Returns the power of the drives at `time` [mass length^2/time^3]: the work of forces and tensions on the
-/// beads, and of driven rest lengths and rest angles on their springs. Arguments as of driving_forces();
+/// beads, and of driven rest lengths and rest angles on their springs. That of hinges neglects the change of
+/// n by the drives, which is of second order in the strain s (hinges.hpp). Arguments as of driving_forces();
 /// velocity: of the beads.
 double power_of_drives(const SwimmerType& type, double time, const BeadVectors& position,
                        const BeadVectors& velocity, const Eigen::Matrix3d& initial_orientation);

@@ -29,7 +29,8 @@ SwimmerVector<Size> own_forces(const SwimmerType& type, double time, const BeadV
 
 /// Returns the stiffness -dF/dx of own_forces() [mass/time^2]. The contribution of the springs is exact. That
 /// of an angular spring neglects second derivatives: of the unit vectors u_1 and u_2 along its sides, in U =
-/// K_A |u_2 - u_1|^2/2, if its rest angle is 0; otherwise of its angle theta, in U = K_A (theta - rest)^2/2.
+/// K_A |u_2 - u_1|^2/2, if its rest angle is 0; of the strain s of a hinge, in U = K_A |s|^2/2 (hinges.hpp);
+/// otherwise of its angle theta, in U = K_A (theta - rest)^2/2.
 /// This matters only far from the rest angle.
 template <int Size>
 SwimmerMatrix<Size> own_stiffness(const SwimmerType& type, double time, const BeadVectors& positions);

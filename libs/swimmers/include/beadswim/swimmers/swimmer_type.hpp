@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "beadswim/core/fields.hpp"
@@ -21,10 +22,7 @@ struct Bead {
 
   bool operator==(const Bead&) const = default;
 
-  static void visit_fields(auto&& visit, auto& bead) {
-    visit("radius", bead.radius);
-    visit("density", bead.density);
-  }
+  BEADSWIM_FIELDS(radius, density)
 };
 
 struct BeadAtRest : Bead {
@@ -45,11 +43,7 @@ struct Spring {
 
   bool operator==(const Spring&) const = default;
 
-  static void visit_fields(auto&& visit, auto& spring) {
-    visit("stiffness", spring.stiffness);
-    visit("rest_length", spring.rest_length);
-    visit("damping", spring.damping);
-  }
+  BEADSWIM_FIELDS(stiffness, rest_length, damping)
 };
 
 /// Spring between two beads.
@@ -66,18 +60,16 @@ struct Bond : Spring {
 
 /// Angular spring with the energy U = K_A (theta - rest)^2/2. theta in [0, pi] is the angle between the
 /// directions from the first bead to the second and from the second to the third; 0 for three beads in line.
+/// With a normal, the spring is a hinge, and theta is counted from -pi to pi about the normal (hinges.hpp).
 struct Angle {
   std::array<int, 3> beads{};
   double stiffness = 0;  ///< K_A [energy]
   double rest = 0;       ///< [radian]
+  std::optional<Vec3> normal{};  ///< unit vector in the frame of the type, across the plane of the hinge
 
   bool operator==(const Angle&) const = default;
 
-  static void visit_fields(auto&& visit, auto& angle) {
-    visit("beads", angle.beads, counted_from_one);
-    visit("stiffness", angle.stiffness);
-    visit("rest", angle.rest);
-  }
+  BEADSWIM_FIELDS((beads, counted_from_one), stiffness, rest, (normal, omitted_if_none, of_unit_length))
 };
 
 /// A sin(n (w t + phi) + phase): amplitude A, multiple n of the angular frequency w, phase offset phi of the
@@ -89,11 +81,7 @@ struct Harmonic {
 
   bool operator==(const Harmonic&) const = default;
 
-  static void visit_fields(auto&& visit, auto& harmonic) {
-    visit("amplitude", harmonic.amplitude);
-    visit("phase", harmonic.phase, omitted_if(0));
-    visit("multiple", harmonic.multiple, omitted_if(1));
-  }
+  BEADSWIM_FIELDS(amplitude, (phase, omitted_if(0)), (multiple, omitted_if(1)))
 };
 
 /// Force on a bead along a direction: a constant and harmonics [mass length/time^2].
@@ -105,12 +93,8 @@ struct ForceDrive {
 
   bool operator==(const ForceDrive&) const = default;
 
-  static void visit_fields(auto&& visit, auto& drive) {
-    visit("bead", drive.bead, counted_from_one);
-    visit("direction", drive.direction, of_unit_length);
-    visit("constant", drive.constant, omitted_if(0));
-    visit("harmonics", drive.harmonics, omitted_if_none);
-  }
+  BEADSWIM_FIELDS((bead, counted_from_one), (direction, of_unit_length), (constant, omitted_if(0)),
+                  (harmonics, omitted_if_none))
 };
 
 /// Quantity of a bond that a drive adds to.
@@ -130,11 +114,7 @@ struct BondDrive {
 
   bool operator==(const BondDrive&) const = default;
 
-  static void visit_fields(auto&& visit, auto& drive) {
-    visit("bond", drive.bond, counted_from_one);
-    visit("quantity", drive.quantity);
-    visit("harmonics", drive.harmonics);
-  }
+  BEADSWIM_FIELDS((bond, counted_from_one), quantity, harmonics)
 };
 
 /// Change of the rest angle of an angular spring [radian].
@@ -180,15 +160,9 @@ struct Driving {
 
   bool operator==(const Driving&) const = default;
 
-  static void visit_fields(auto&& visit, auto& driving) {
-    visit("period", driving.period);
-    visit("phase_offset", driving.phase_offset, omitted_if(0));
-    visit("frame", driving.frame);
-    visit("forces", driving.forces, omitted_if_none);
-    visit("bonds", driving.bonds, omitted_if_none);
-    visit("angles", driving.angles, omitted_if_none);
-    visit("net_force", driving.net_force, omitted_if(NetForce::zero));
-  }
+  BEADSWIM_FIELDS(period, (phase_offset, omitted_if(0)), frame, (forces, omitted_if_none),
+                  (bonds, omitted_if_none), (angles, omitted_if_none),
+                  (net_force, omitted_if(NetForce::zero)))
 };
 
 /// Calls visit(harmonic) for each harmonic of all drives.
@@ -213,12 +187,7 @@ struct SwimmerType {
 
   bool operator==(const SwimmerType&) const = default;
 
-  static void visit_fields(auto&& visit, auto& type) {
-    visit("beads", type.beads);
-    visit("bonds", type.bonds, omitted_if_none);
-    visit("angles", type.angles, omitted_if_none);
-    visit("driving", type.driving);
-  }
+  BEADSWIM_FIELDS(beads, (bonds, omitted_if_none), (angles, omitted_if_none), driving)
 };
 
 }  // namespace beadswim

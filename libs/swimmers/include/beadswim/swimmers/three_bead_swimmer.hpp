@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
 
 // The three-bead swimmer of the paper (Pickl et al. 2017, section 2): three beads in a line and two arms,
@@ -27,13 +28,7 @@ struct ThreeBeadDriving {
 
   bool operator==(const ThreeBeadDriving&) const = default;
 
-  static void visit_fields(auto&& visit, auto& driving) {
-    visit("amplitude", driving.amplitude);
-    visit("phase", driving.phase);
-    visit("period", driving.period);
-    visit("frame", driving.frame);
-    visit("phase_offset", driving.phase_offset, omitted_if(0));
-  }
+  BEADSWIM_FIELDS(amplitude, phase, period, frame, (phase_offset, omitted_if(0)))
 };
 
 /// Beads 1, 2, 3 in a line. springs[0] joins beads 1 and 2, and springs[1] joins beads 2 and 3.
@@ -45,12 +40,7 @@ struct ThreeBeadSwimmer {
 
   bool operator==(const ThreeBeadSwimmer&) const = default;
 
-  static void visit_fields(auto&& visit, auto& type) {
-    visit("beads", type.beads);
-    visit("springs", type.springs);
-    visit("angular_stiffness", type.angular_stiffness);
-    visit("driving", type.driving);
-  }
+  BEADSWIM_FIELDS(beads, springs, angular_stiffness, driving)
 };
 
 /// Returns the drives of a driving (2.1): forces on beads 1, 3 and 2, or, in the frame body, the tensions F1

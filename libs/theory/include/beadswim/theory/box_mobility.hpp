@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "beadswim/collinear/collinear_mobility.hpp"
@@ -37,7 +36,8 @@ LineFlow box_line_flow(const BoxPlace& place, double viscosity);
 /// Returns the bead positions at rest, measured along the swimmer's axis from the corner of the box [length].
 LinePositions rest_positions(const CollinearSwimmer& swimmer, const BoxPlace& place);
 
-/// Returns a message if a bead at rest overlaps an image of a bead or a wall; nullopt if there is no overlap.
-std::optional<std::string> image_overlap(const CollinearSwimmer& swimmer, const BoxPlace& place);
+/// Returns the smallest gap at rest of the beads, their images and the walls of a box [length]; negative if
+/// they overlap.
+double smallest_gap_in_box(const CollinearSwimmer& swimmer, const BoxPlace& place);
 
 }  // namespace beadswim

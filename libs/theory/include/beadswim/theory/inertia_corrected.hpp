@@ -19,11 +19,14 @@
 // The linear response (linear_response.hpp) with M gives the complex arm amplitudes x, the bead displacements
 // xi and the induced forces f.
 //
-// Second order: V = sum_j w_j (u_j + u_j,box - u_j,open)
+// Second order: V = sum_j w_j [u_j + q (u_j,box - u_j,open)] + V_R,box - V_R,open
 //
 //   u_j      exact mean velocities of the beads without mean forces (unsteady_multipole.hpp): the beads have
 //            the displacements xi in the flow that the forces f cause in open space
 //   u_j,box  mean velocities by pairs in the box (drift_velocities);  u_j,open: by pairs in open space
+//   q        C_exact/C_RP, geometry factors in open space by exact and by Rotne-Prager mobilities: beads of
+//            finite size weaken the flow between them, compared with pairs
+//   V_R      velocity by the Reynolds stress of pairs, in the box and in open space (reynolds_stress.hpp)
 //   w_j      share of bead j in the force that tows the rigid swimmer in the box, sum 1. The steady mobility
 //            is the exact one, plus that of pairs in the box, minus that of pairs in open space
 //
@@ -62,8 +65,8 @@ struct InertiaCorrected {
   double sin_uncertainty = 0;                     ///< absolute uncertainty of sin(delta_1 - delta_2)
 };
 
-/// Returns velocity and stroke by the method inertia-corrected. Requires `question.exact`, the exact Stokes
-/// flow (with_exact_reference()). Throws InputError if no periodic motion without contact is found.
+/// Returns velocity and stroke by the method inertia-corrected. Throws InputError if beads nearly touch, or
+/// if no periodic motion without contact is found.
 InertiaCorrected inertia_corrected(const Question& question);
 
 }  // namespace beadswim

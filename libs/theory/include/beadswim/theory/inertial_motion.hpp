@@ -33,7 +33,7 @@
 //   V_R   velocity by the mean Reynolds stress (reynolds_stress.hpp) [length/time]
 //
 // Without inertia R and S are the Rotne-Prager mobility, V_R is zero, and V is the velocity of second-order
-// Rotne-Prager theory (perturbation.hpp).
+// Rotne-Prager theory (linear_response.hpp).
 //
 // Page: docs/method/inertia.md.
 

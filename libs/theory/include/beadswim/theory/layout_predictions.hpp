@@ -17,10 +17,7 @@ struct LeftOutMethod {
   std::string method;
   std::string reason;
 
-  static void visit_fields(auto&& visit, auto& left_out) {
-    visit("method", left_out.method);
-    visit("reason", left_out.reason);
-  }
+  BEADSWIM_FIELDS(method, reason)
 };
 
 /// Predictions for one swimmer of a layout.
@@ -50,6 +47,11 @@ struct PredictionRequest {
   double tolerance = 0.05;       ///< relative error of second-order methods above which there is a warning
   std::optional<MeasuredStroke> measured{};  ///< for the methods that need a measured stroke
 };
+
+/// Returns true if predictions for one swimmer of a layout are valid for another, as both have the same
+/// parameters and, where these matter, the same orientation and height. `a`, `b`: ids; false if one is
+/// unknown.
+bool are_predicted_alike(const Layout& layout, int a, int b);
 
 /// Predicts velocity and stroke of one swimmer of a layout by the requested methods. `source`: name of the
 /// layout in messages. Throws InputError if:

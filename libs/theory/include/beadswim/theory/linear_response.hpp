@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "beadswim/collinear/collinear_mobility.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/stroke.hpp"
 
@@ -27,6 +28,13 @@
 //
 // The forces D^T Z i omega x avoid loss of significance for slow driving, where driving and spring forces
 // nearly cancel. The tensions K m are internal forces, which the weights W eliminate from V.
+//
+// On a line the mean velocities of second order are
+//
+//   u = <dmu f> = 1/2 Re sum_k (d mu / d x_k) conj(xi_k) f,   < > mean over a period
+//
+// where x_k is the position of bead k. The unweighted mean of the bead velocities, evaluated without m, is
+// not the velocity of the periodic motion.
 //
 // The equations are valid for any radii, shape, springs and driving. They contain all orders in the ratio of
 // radius to bead distance. Pages: docs/method/linear-response.md, docs/method/second-order-perturbation.md.
@@ -81,6 +89,10 @@ Eigen::Vector2cd driving_tensions(const CollinearSwimmer& swimmer);
 /// with the frequency of the driving, because the driving forces are pure sines.
 double mean_power(const CollinearSwimmer& swimmer, const Stroke& stroke);
 
+/// Returns omega d^2/l, the scale of velocities to second order in amplitude [length/time]. d: larger
+/// amplitude of the arms, l: rest length of arm 1.
+double second_order_scale(const CollinearSwimmer& swimmer, const Stroke& stroke);
+
 /// Returns the linear response of the swimmer to its driving. `mobility`: of the beads at rest [time/mass];
 /// complex with inertia of the fluid.
 LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3cd& mobility);
@@ -89,5 +101,20 @@ LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Mat
 /// Returns the arm amplitudes and phases in open space to first order in the driving amplitude, with the pair
 /// mobility `law` (oseen or rotne_prager).
 Stroke first_order_stroke(const CollinearSwimmer& swimmer, PairLaw law);
+
+/// Returns the periodic motion to second order in the driving amplitudes A and B. `mobility`: mobility of the
+/// beads at rest, with its derivatives.
+PeriodicMotion second_order_motion(const CollinearSwimmer& swimmer, const CollinearMobility& mobility);
+
+/// Returns the swimmer's velocity to second order in the arm amplitudes if the arm lengths change by
+/// Re(x_i exp(i omega t)) [length/time]. x = `arm` [length], omega = `angular_frequency`; `mobility`:
+/// mobility of the beads at rest. The velocity does not depend on the forces that cause this stroke.
+double velocity_of_stroke(const Eigen::Vector2cd& arm, const CollinearMobility& mobility,
+                          double angular_frequency);
+
+/// Returns the geometry factor C of the swimmer's velocity V = C omega d_1 d_2 sin(delta_1 - delta_2) to
+/// second order in the arm amplitudes d [1/length], delta: arm phases. This law is valid in open space for
+/// any driving.
+double geometry_factor(const CollinearMobility& mobility);
 
 }  // namespace beadswim

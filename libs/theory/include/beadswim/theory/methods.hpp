@@ -17,17 +17,17 @@ struct Method {
   std::string name;
   /// Input that the method uses in addition to the swimmer.
   enum class Input { driving, driving_or_stroke, stroke, driving_in_box } input;
-  /// Returns the reason why the method cannot treat the question, and a remedy; nullopt if it can treat it.
-  std::optional<std::string> (*obstacle)(const Question& question);
+  /// Returns the reason why the method cannot treat three beads on a line, and a remedy; empty if it can.
+  /// nullptr: the method treats other shapes only.
+  std::string (*obstacle_to_line)(const Question& question);
   /// Returns the prediction. Requires a question without obstacle. Throws InputError if the calculation
   /// fails.
   std::function<Prediction(const Question& question)> predict;
   const BeadMobility*
       mobility;  ///< steady mobility in open space, by which the swimmer is towed for its efficiency
-  /// Returns the prediction for a swimmer of any shape; nullptr: the method is for three beads on a line
-  /// only.
-  std::function<Prediction(const ShapeQuestion& question)> predict_shape = nullptr;
-  bool treats_flow = false;  ///< predict_shape also treats a background flow
+  /// The same for a swimmer of another shape; nullptr: the method treats three beads on a line only.
+  std::string (*obstacle_to_shape)(const Question& question) = nullptr;
+  bool is_slow_for_shapes = false;  ///< a request for all methods leaves it out, as it can take minutes
 
   /// Returns whether the method uses a measured stroke.
   bool uses_stroke() const { return input == Input::stroke || input == Input::driving_or_stroke; }
@@ -51,15 +51,14 @@ std::optional<double> towing_drag(const Method& method, const CollinearSwimmer& 
 /// `velocity`: v [length/time]; `power`: P [mass length^2/time^3].
 std::optional<double> lighthill_efficiency(double drag, double velocity, double power);
 
-/// Returns the prediction for a swimmer of any shape, with the mean power of the drives and the Lighthill
-/// efficiency of the motion along its axis. Throws InputError with the reason if the method cannot treat the
-/// swimmer.
-Prediction predict(const Method& method, const ShapeQuestion& question);
+/// Returns the reason why the method cannot treat the question, and a remedy; empty if it can treat it.
+std::string obstacle(const Method& method, const Question& question);
 
 /// Returns the method's prediction, with the mean power P of the driving and the Lighthill efficiency D
-/// V^2/P. V is the velocity; the drag coefficient D is that of the swimmer with its mean arm lengths, or rest
-/// lengths if the method does not predict them (towing_drag). Throws InputError with the reason if the method
-/// cannot treat the question or if its result is not finite.
+/// V^2/P. V is the velocity along the axis; the drag coefficient D is that of the swimmer with its mean arm
+/// lengths, or rest lengths if the method does not predict them (towing_drag), and of another swimmer that
+/// with its mean shape. Throws InputError with the reason if the method cannot treat the question or if its
+/// result is not finite.
 Prediction predict(const Method& method, const Question& question);
 
 }  // namespace beadswim

@@ -42,6 +42,13 @@ using MobilityFunction = std::function<CollinearMobility(const LinePositions&)>;
 PeriodicMotion periodic_motion(const CollinearSwimmer& swimmer, const LinePositions& rest,
                                const MobilityFunction& mobility, double min_gap = 0);
 
+/// Returns c, the leading relative change of the swimmer's velocity V in open space because the driving
+/// amplitude is finite: V = V_2 (1 + c + ..), where V_2 is the velocity to second order in the driving
+/// amplitude. For driving forces s A, s B the change is c s^2; c is evaluated at a small s, with a mobility
+/// that is interpolated between a few bead configurations close to rest. Returns 0 if V_2 is zero within
+/// roundoff, and NaN if beads touch or overlap at rest.
+double finite_amplitude_change(const CollinearSwimmer& swimmer, const MobilityFunction& mobility);
+
 /// Returns the smallest gap of neighbouring beads at `positions` [length].
 double smallest_gap(const CollinearSwimmer& swimmer, const LinePositions& positions);
 

@@ -18,10 +18,7 @@ struct StrokeUncertainty {
   std::array<double, 2> arm_amplitudes{};  ///< relative errors of the arm amplitudes
   double sin_phase_shift = 0;              ///< absolute error of sin(delta_1 - delta_2)
 
-  static void visit_fields(auto&& visit, auto& uncertainty) {
-    visit("arm_amplitudes", uncertainty.arm_amplitudes);
-    visit("sin_phase_shift", uncertainty.sin_phase_shift);
-  }
+  BEADSWIM_FIELDS(arm_amplitudes, sin_phase_shift)
 };
 
 /// Velocity and stroke of a swimmer by one method, with their uncertainty, in the units of the swimmer.
@@ -30,8 +27,8 @@ struct Prediction {
   bool usable = true;    ///< false: printed, but not used as a reference
   std::string validity;  ///< range of validity and known errors, as text
   double velocity = 0;   ///< mean over a period, along the axis of the swimmer [length/time]
-  /// Velocity and angular velocity in the box [length/time, radian/time]; only for swimmers that are not
-  /// three beads on a line.
+  /// Velocity and angular velocity in the box [length/time, radian/time]; nullopt for three beads on a line
+  /// in fluid at rest without half-space.
   std::optional<Vec3> velocity_vector{}, angular_velocity{};
   /// Estimated error of `velocity`, relative to the exact velocity; nullopt if unknown. The exact velocity
   /// follows from the Stokes equations at finite amplitude, or from the Navier-Stokes equations for methods
@@ -42,6 +39,7 @@ struct Prediction {
   double sin_phase_shift = 0;                           ///< sin(delta_1 - delta_2)
   std::optional<double> power;       ///< mean power of the driving forces [mass length^2/time^3]
   std::optional<double> efficiency;  ///< Lighthill efficiency; predict() sets it and `power` (methods.hpp)
+  std::optional<ForceDipole> dipole{};           ///< mean, [mass length^2/time^2]; nullopt if not predicted
   std::optional<std::vector<double>> arm_means;  ///< mean arm lengths [length]; nullopt if not predicted
 
   using Setting = std::pair<std::string, std::variant<std::string, double>>;
@@ -60,6 +58,7 @@ struct Prediction {
     visit("sin_phase_shift", prediction.sin_phase_shift);
     visit("power", prediction.power, omitted_if_none);
     visit("efficiency", prediction.efficiency, omitted_if_none);
+    visit("dipole", prediction.dipole, omitted_if_none);
     visit("stroke_uncertainty", prediction.stroke_uncertainty);
     visit("arm_means", prediction.arm_means);
     visit("settings", prediction.settings);

@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "beadswim/swimmers/force_dipole.hpp"
+
 namespace beadswim {
 
 /// Harmonic oscillation of the lengths L_i of the arms, equation (4.1) of Pickl et al. 2017:
@@ -34,6 +36,8 @@ struct PeriodicMotion {
   std::vector<double> arm_changes;  ///< mean arm lengths minus rest lengths [length]
   /// Smallest gap between surfaces of beads, or of a bead and a wall, in the motion [length].
   double smallest_gap = std::numeric_limits<double>::infinity();
+  /// Mean force dipole; zero where a method does not compute it.
+  ForceDipole dipole{};
   int samples = 0;  ///< equidistant times per period at which a motion at finite amplitude was computed
 };
 

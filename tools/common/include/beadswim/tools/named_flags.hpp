@@ -1,14 +1,37 @@
 #pragma once
 
+#include <concepts>
 #include <functional>
 
 #include "beadswim/core/names.hpp"
 #include "beadswim/tools/program.hpp"
 
-// Flags whose values are words. A word is checked first and then converted to an enumerator. The transformers
+// Flags of all kinds of values. A word is checked first and then converted to an enumerator. The transformers
 // of CLI11 are not used, because they would replace the word by a number in the recorded command line.
 
 namespace beadswim {
+
+/// Value of a flag.
+struct FlagValue {
+  std::string name{};                       ///< in the help, for example "X,Y,Z"
+  std::optional<CLI::Validator> allowed{};  ///< nullopt: every text
+  std::string initial{};                    ///< default in the help; empty: that of the variable
+};
+
+/// Adds a flag. Parsing it stores the value in `target`, or passes its text to the function `target`.
+template <class Target>
+CLI::Option* add_value(CLI::App& command, const std::string& flag, Target&& target, const FlagValue& value,
+                       const std::string& help) {
+  CLI::Option* option = nullptr;
+  if constexpr (std::invocable<Target, const std::string&>) {
+    option = command.add_option_function<std::string>(flag, target, help);
+  } else {
+    option = command.add_option(flag, target, help);
+  }
+  if (value.allowed) option->check(*value.allowed);
+  if (!value.initial.empty()) option->default_str(value.initial);
+  return option->type_name(value.name);
+}
 
 /// Adds a flag whose value is one of `words`. Parsing the flag calls take(word). The help shows `initial` as
 /// the default, unless `initial` is empty.
