@@ -121,7 +121,7 @@ void go_on_from(const std::string& path) {
   Recorder recorder(*plan, task.document.layout, &trajectory, one_rank());
   Checkpoints checkpoints(task, *plan, one_rank());
   const RunHistory history =
-      restore({one_rank(), *plan, {}, *model, &trajectory, recorder, checkpoints}, checkpoint);
+      restore({one_rank(), *plan, {}, *model, &trajectory, recorder, nullptr, checkpoints}, checkpoint);
   require(history.steps_done == model->steps_done() && history.steps_done >= 0,
           "the run goes on at its step");
   const std::vector<char> record = checkpoint.bytes("record");

@@ -16,7 +16,7 @@ void vary(const Json& input) {
   if (!over.is_array()) return;
   std::vector<Variation> variations;
   for (const Json& text : over)
-    if (text.is_string()) variations.push_back(parse_variation(text.get<std::string>()));
+    if (text.is_string()) variations.push_back(parse_variation(text.get<std::string>()).first);
   if (variations.empty()) return;  // the program requires the flag
   const bool is_together = input.value("together", Json()) == true;
   if (is_together) require_equal_counts(variations);
