@@ -25,6 +25,7 @@ Prediction prediction_from(const PeriodicMotion& motion, std::span<const double>
   prediction.velocity = motion.velocity;
   prediction.stroke = motion.stroke;
   prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
+  prediction.dipole = motion.dipole;
   prediction.arm_means.emplace();
   for (std::size_t k = 0; k < rest_lengths.size(); ++k)
     prediction.arm_means->push_back(rest_lengths[k] + motion.arm_changes[k]);

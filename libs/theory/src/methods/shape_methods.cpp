@@ -55,7 +55,6 @@ Prediction prediction_from(const ShapedSwimmer& swimmer, const Question& questio
   prediction.velocity_vector = motion.velocity_vector;
   prediction.angular_velocity = motion.angular_velocity;
   prediction.power = motion.power;
-  prediction.dipole = motion.dipole;
   ShapedSwimmer in_open_space = swimmer;  // as the efficiency of runs
   in_open_space.half_space.reset();
   in_open_space.box.reset();

@@ -130,7 +130,6 @@ Prediction predict_perturbation(const BeadMobility& mobility, const Question& qu
                : second_order_motion(swimmer, mobility.on_line(swimmer, rest_positions(swimmer)));
   Prediction prediction = prediction_from(motion, swimmer.arm);
   const std::optional<double> exact = exact_velocity(question);
-  prediction.dipole = motion.dipole;
   if (question.exact())
     prediction.uncertainty = relative_uncertainty(motion.velocity, exact, question.exact()->amplitude_change);
   prediction.validity = is_exact ? exact_flow
@@ -151,7 +150,6 @@ Prediction predict_ode(const BeadMobility& mobility, const Question& question) {
         return mobility.on_line(swimmer, x);
       });
   Prediction prediction = prediction_from(motion, swimmer.arm);
-  prediction.dipole = motion.dipole;
   if (is_exact) {
     prediction.uncertainty = numerical_uncertainty(question, motion);
     prediction.validity = exact_flow;
@@ -181,7 +179,6 @@ Prediction predict_box_perturbation(const BeadMobility& beads, const Question& q
       mobility_in_box(question)(rest_positions(swimmer, *question.surroundings.box));
   const PeriodicMotion motion = second_order_motion(swimmer, at_rest);
   Prediction prediction = prediction_from(motion, swimmer.arm);
-  prediction.dipole = motion.dipole;
   add_box_limits(question, motion.velocity, prediction);
   if (question.exact() && prediction.uncertainty) {
     prediction.uncertainty = std::hypot(*prediction.uncertainty, question.exact()->amplitude_change);
@@ -198,7 +195,6 @@ Prediction predict_box_ode(const BeadMobility& beads, const Question& question) 
   const MobilityFunction mobility = mobility_in_box(question);
   const PeriodicMotion motion = periodic_motion(swimmer, rest, mobility);
   Prediction prediction = prediction_from(motion, swimmer.arm);
-  prediction.dipole = motion.dipole;
   add_box_limits(question, second_order_motion(swimmer, mobility(rest)).velocity, prediction);
   prediction.validity += "; periodic motion at finite amplitude";
   return prediction;

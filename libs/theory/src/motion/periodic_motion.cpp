@@ -102,26 +102,33 @@ class HarmonicBalance {
     return solve(jacobian, residual);
   }
 
+  /// Returns the mobilities at all nodes.
+  std::vector<CollinearMobility> mobilities(const NodalMotion& motion) const {
+    std::vector<CollinearMobility> mobilities;
+    for (int n = 0; n < nodes_; ++n) mobilities.push_back(mobility_(places(motion, n)));
+    return mobilities;
+  }
+
   /// Returns the mean of sum_i (x_i + sigma_i) F_i, F = D^T g: the stresslets sigma.F of the beads are those
-  /// of CollinearMobility, g are the tensions of the arms.
-  double mean_dipole(const NodalMotion& motion) const {
+  /// of `mobilities`, g are the tensions of the arms.
+  double mean_dipole(const NodalMotion& motion, const std::vector<CollinearMobility>& mobilities) const {
     const NodalMotion rate = rates(motion);
     double sum = 0;
     for (int n = 0; n < nodes_; ++n) {
       const Eigen::Vector2d q(motion(0, n), motion(2, n)), dq(rate(0, n), rate(2, n));
-      const Eigen::Vector2d levers = arm_rates() * (rest_ + mobility_(places(motion, n)).stresslet) + q;
+      const Eigen::Vector2d levers = arm_rates() * (rest_ + mobilities[n].stresslet) + q;
       sum += levers.dot(driving_tension(n) - stiffness_.cwiseProduct(q) - damping_.cwiseProduct(dq));
     }
     return sum / nodes_;
   }
 
   /// Returns the velocity V = -<sum_k (w_k(x) - w_k(X)) dp_k/dt> (periodic_motion.hpp) [length/time].
-  double drift_velocity(const NodalMotion& motion) const {
+  double drift_velocity(const NodalMotion& motion, const std::vector<CollinearMobility>& mobilities) const {
     const Vector3d at_rest = towing_forces(mobility_({rest_[0], rest_[1], rest_[2]}).value);
     const NodalMotion rate = beads_ * rates(motion);
     double sum = 0;
     for (int n = 0; n < nodes_; ++n) {
-      const Vector3d change = towing_forces(mobility_(places(motion, n)).value) - at_rest;
+      const Vector3d change = towing_forces(mobilities[n].value) - at_rest;
       sum -= change.dot(rate.col(n));
     }
     return omega_ * sum / nodes_;
@@ -267,12 +274,13 @@ State continue_to_full_driving(const CollinearSwimmer& swimmer, const HarmonicBa
 
 PeriodicMotion motion_result(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
                              const NodalMotion& nodal) {
-  return {.velocity = balance.drift_velocity(nodal),
+  const std::vector<CollinearMobility> mobilities = balance.mobilities(nodal);
+  return {.velocity = balance.drift_velocity(nodal, mobilities),
           .stroke = stroke_of(
               Eigen::Vector2cd(harmonic_amplitude(nodal.row(0), 1), harmonic_amplitude(nodal.row(2), 1))),
           .arm_changes = {nodal.row(0).mean(), nodal.row(2).mean()},
           .smallest_gap = smallest_gap_of(swimmer, balance, nodal),
-          .dipole = dipole_of_line(balance.mean_dipole(nodal)),
+          .dipole = dipole_of_line(balance.mean_dipole(nodal, mobilities)),
           .samples = static_cast<int>(nodal.cols())};
 }
 

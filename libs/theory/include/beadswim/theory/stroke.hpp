@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "beadswim/swimmers/force_dipole.hpp"
@@ -36,8 +37,7 @@ struct PeriodicMotion {
   std::vector<double> arm_changes;  ///< mean arm lengths minus rest lengths [length]
   /// Smallest gap between surfaces of beads, or of a bead and a wall, in the motion [length].
   double smallest_gap = std::numeric_limits<double>::infinity();
-  /// Mean force dipole; zero where a method does not compute it.
-  ForceDipole dipole{};
+  std::optional<ForceDipole> dipole{};  ///< mean, [mass length^2/time^2]; nullopt if not computed
   int samples = 0;  ///< equidistant times per period at which a motion at finite amplitude was computed
 };
 
