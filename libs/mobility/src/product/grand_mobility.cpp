@@ -140,7 +140,7 @@ void GrandMobility::apply(std::span<const double> moments, std::span<double> pro
 
 void GrandMobility::add_flow_at(std::span<const Vec3> points, std::span<const Vec3> positions,
                                 std::span<const double> moments, const std::optional<EwaldPlan>& plan,
-                                std::span<const int> spheres, std::span<Vec3> velocities) const {
+                                std::span<const int> spheres, std::span<Vec3> velocities) {
   const std::vector<double> sources = sources_of(moments);
   std::vector<Vec3> places(positions.begin(), positions.end());
   add_mirror_images(box_, places);
@@ -155,6 +155,7 @@ void GrandMobility::add_flow_at(std::span<const Vec3> points, std::span<const Ve
     mesh->set_sources(places, bounding_box(points));
     mesh->evaluate(sources, FlowPart::forces);
   }
+  if (has_memory()) mesh_->evaluate_remainder();
   constexpr std::size_t points_at_once = 1 << 15;  // bounds the memory for the flow at mirror points
   const int axis = half_space_ ? half_space_->axis : 2;
   for (std::size_t first = 0; first < points.size(); first += points_at_once) {
@@ -165,7 +166,7 @@ void GrandMobility::add_flow_at(std::span<const Vec3> points, std::span<const Ve
       mesh->set_receivers(chunk);
       mesh->gather_flows(flows, at_mirrors);
     }
-    if (has_memory()) mesh_->add_remainder(chunk, flows);
+    if (has_memory()) mesh_->gather_remainder(chunk, flows);
     for (std::size_t p = communicator_.rank(); p < chunk.size(); p += communicator_.size()) {
       if (spheres[first + p] >= 0) continue;
       MirrorFlow flow;

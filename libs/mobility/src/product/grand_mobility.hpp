@@ -40,7 +40,7 @@ class GrandMobility {
   /// points; nullopt: all pairs are summed directly. Collective.
   void add_flow_at(std::span<const Vec3> points, std::span<const Vec3> positions,
                    std::span<const double> moments, const std::optional<EwaldPlan>& plan,
-                   std::span<const int> spheres, std::span<Vec3> velocities) const;
+                   std::span<const int> spheres, std::span<Vec3> velocities);
   /// Returns the moments H that would cause `projections` on each sphere alone; the forces are zero.
   std::vector<double> precondition(std::span<const double> projections) const;
 

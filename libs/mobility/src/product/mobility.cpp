@@ -340,11 +340,11 @@ std::span<const double> Mobility::moments() const {
   return parts_->applied_moments;
 }
 
-FlowAtPoints Mobility::flow_at(std::span<const Vec3> points, const MovingSpheres& spheres) const {
+FlowAtPoints Mobility::flow_at(std::span<const Vec3> points, const MovingSpheres& spheres) {
   const MobilityScene& scene = parts_->scene;
   const std::size_t count = scene.radii.size();
   const bool has_stresslets = parts_->near_field && spheres.moments.size() > 3 * count;
-  const GrandMobility& matrix = has_stresslets ? *parts_->matrix_with_stresslets : parts_->matrix;
+  GrandMobility& matrix = has_stresslets ? *parts_->matrix_with_stresslets : parts_->matrix;
   check_size("positions", spheres.positions.size(), count);
   check_size("velocities", spheres.velocities.size(), count);
   check_size("moments", spheres.moments.size(), matrix.moments_per_sphere() * count);

@@ -239,14 +239,19 @@ void ParticleMesh::multiply(FlowPart part) {
     for (FftwArray& component : field) transform_->backward(component);
 }
 
+std::vector<double> ParticleMesh::gathered(std::size_t field, const SortedBeads& receivers, int order) const {
+  const std::array<const double*, 3> from{values_[field][0].get(), values_[field][1].get(),
+                                          values_[field][2].get()};
+  std::vector<double> sums(3 * derivative_count(order) * receivers.order.size(), 0.0);
+  best_kernels<MobilityKernels>().gather(order, geometry_, receivers.windows(), 3, from.data(), sums.data());
+  return sums;
+}
+
 void ParticleMesh::gather(std::span<double> flows) const {
   const std::size_t count = derivative_count(receiver_order()), elements = 3 * count;
   const double volume = cell_volume();
   for (std::size_t f = 0; f < (at_points_ ? 1 : fields_); ++f) {
-    const std::array<const double*, 3> from{values_[f][0].get(), values_[f][1].get(), values_[f][2].get()};
-    std::vector<double> sums(elements * receivers_.order.size(), 0.0);
-    best_kernels<MobilityKernels>().gather(receiver_order(), geometry_, receivers_.windows(), 3, from.data(),
-                                           sums.data());
+    const std::vector<double> sums = gathered(f, receivers_, receiver_order());
     for (std::size_t s = 0; s < receivers_.order.size(); ++s) {
       const int bead = receivers_.order[s];
       for (std::size_t n = 0; n < elements; ++n)
@@ -274,14 +279,14 @@ void ParticleMesh::gather_flows(std::span<double> flows, std::span<MirrorFlow> a
   if (plan_.has_mirror_points) gather_mirrors(at_mirrors);
 }
 
-void ParticleMesh::add_remainder(std::span<const Vec3> points, std::span<double> flows) {
-  std::array<FftwArray, 3>& values = values_[0];
-  memory_->set_remainder(values);
-  for (const FftwArray& component : values) transform_->backward(component);
+void ParticleMesh::evaluate_remainder() {
+  memory_->set_remainder(values_[0]);
+  for (const FftwArray& component : values_[0]) transform_->backward(component);
+}
+
+void ParticleMesh::gather_remainder(std::span<const Vec3> points, std::span<double> flows) const {
   const SortedBeads receivers = sorted(points);
-  const std::array<const double*, 3> from{values[0].get(), values[1].get(), values[2].get()};
-  std::vector<double> sums(3 * points.size(), 0.0);
-  best_kernels<MobilityKernels>().gather(0, geometry_, receivers.windows(), 3, from.data(), sums.data());
+  const std::vector<double> sums = gathered(0, receivers, 0);
   for (std::size_t s = 0; s < points.size(); ++s)
     for (int c = 0; c < 3; ++c) flows[3 * receivers.order[s] + c] += cell_volume() * sums[3 * s + c];
 }

@@ -85,9 +85,11 @@ class ParticleMesh {
 
   /// Spreads and transforms the sources, which MemoryField::start() or end_step() then uses. Collective.
   void read_sources(std::span<const double> sources);
-  /// Adds the contribution of this rank to the flow by the memory of the fluid (MemoryField::set_remainder())
-  /// at points, 3 numbers each. The mesh values of the last product are lost. Collective.
-  void add_remainder(std::span<const Vec3> points, std::span<double> flows);
+  /// Evaluates the flow by the memory of the fluid (MemoryField::set_remainder()) on the mesh, from which
+  /// gather_remainder() then adds the contribution of this rank at points, 3 numbers each. The mesh values of
+  /// the last product are lost. Collective.
+  void evaluate_remainder();
+  void gather_remainder(std::span<const Vec3> points, std::span<double> flows) const;
   /// Returns the memory of the fluid; null for steady flow.
   MemoryField* memory() const { return memory_.get(); }
 
@@ -113,6 +115,8 @@ class ParticleMesh {
   /// Returns the highest derivative of the flow at the receivers.
   int receiver_order() const { return at_points_ ? 0 : spheres_.order; }
   double weight_of(std::size_t field, int bead, std::size_t derivative) const;
+  /// Returns the sums of window weight times a field and its derivatives up to `order` at the receivers.
+  std::vector<double> gathered(std::size_t field, const SortedBeads& receivers, int order) const;
   void gather(std::span<double> flows) const;
   void gather_mirrors(std::span<MirrorFlow> at_mirrors) const;
   void multiply(FlowPart part);

@@ -131,7 +131,7 @@ class Mobility {
   /// of the fluid at the end of the last step. Inside a sphere it is the velocity of the sphere, without
   /// rotation. The error is within the tolerance, divided by the root mean square of sphere velocities.
   /// `points` are equal on all ranks, as are the results. Collective.
-  FlowAtPoints flow_at(std::span<const Vec3> points, const MovingSpheres& spheres) const;
+  FlowAtPoints flow_at(std::span<const Vec3> points, const MovingSpheres& spheres);
   /// Sets `projections` to those of the flow of `moments`, moment_count() numbers per sphere each
   /// (force_moments.hpp), without a map of close spheres and without background flow.
   void project_flow_of(std::span<const double> moments, std::span<double> projections);

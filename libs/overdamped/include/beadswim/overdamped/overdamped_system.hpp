@@ -127,7 +127,7 @@ class OverdampedSystem {
   /// empty at a restart.
   std::span<const double> moments() const { return moments_; }
   /// Returns the flow at points [length] (Mobility::flow_at()). Not at a restart. Collective.
-  FlowAtPoints flow_at(std::span<const Vec3> points) const {
+  FlowAtPoints flow_at(std::span<const Vec3> points) {
     return mobility_.flow_at(points, {positions(), velocities(), moments()});
   }
 
