@@ -87,6 +87,12 @@ run beadswim-run swimmer.json -o part.h5md --model rpy --cycles 3 --steps-per-cy
 run beadswim-run --restart part.h5md.ckpt.0 -o part.h5md --cycles 3 "${mean[@]}" "${quiet[@]}"
 has_status 0
 check 'a restart changes the mean' cmp -s whole.h5md.flow/000000120.vti part.h5md.flow/000000120.vti
+other_places() { # FLAGS...   of the flow, at as many points
+  refuses '^beadswim-run: --flow-mean: the last 2 cycles begin before the checkpoint, whose run did not sum up the flow at these places' \
+    beadswim-run --restart part.h5md.ckpt.0 -o other.h5md --cycles 3 --flow-mean 2 --flow-spacing 10 "$@" "${quiet[@]}"
+}
+other_places --flow-frame box --flow-region=-60:60,-30:30,0:30
+other_places --flow-frame swimmer --flow-region=-50:70,-30:30,0:30
 refuses '^beadswim-run: --flow-mean: the last 3 cycles begin before the checkpoint' beadswim-run --restart part.h5md.ckpt.0 -o part.h5md --cycles 3 --flow-mean 3 "${quiet[@]}"
 run beadswim-run swimmer.json -o points.h5md --model rpy --cycles 2 --steps-per-cycle 40 --flow-every 0.5 --flow-points points.csv --checkpoint-every 1 "${quiet[@]}"
 cp points.h5md.flow.csv whole.csv

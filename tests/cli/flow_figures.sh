@@ -120,16 +120,22 @@ assert len(rows) == 48 - 16 + 64, len(rows)
 assert all(abs(x - u) + abs(y - v) < 1e-6 for x, y, z, u, v, w in rows)"
 done
 
-# --- the frame of a swimmer: the beads of the trajectory are elsewhere, and the cells that they cover are drawn
-mkdir moved.h5md.flow
-cp run.h5md moved.h5md
-sed 's/run.h5md/moved.h5md/' run.h5md.flow.pvd >moved.h5md.flow.pvd
-python3 -c "
-from flow_figures import *
-write_vti('moved.h5md.flow/$(basename "$flow")', [60, 24, 24], 1, [0, 0, 0], lambda x, y, z: (1 + x, 0, 0), bead=lambda x, y, z: math.dist((x, y, z), (30, 12, 12)) < 3)"
-accepts beadswim-plot flow moved.h5md
-notes_have 'Beads are grey.$'
-check 'beads are drawn where the flow has none' bash -c '! grep -q "<circle" out'
+# --- a mean, and the frame of a swimmer, are named; the beads of the trajectory are elsewhere, and the cells that they cover are drawn
+mean() { # FLAGS...
+  beadswim-run layout.json -o mean.h5md --model rpy --cycles 3 --flow-spacing 2 --progress none "$@" >mean.json 2>err
+  accepts beadswim-plot flow mean.h5md
+  check 'beads are drawn where the flow has none' bash -c '! grep -q "<circle" out'
+}
+mean --flow-mean 2
+out_has '>Mean flow of 2 cycles after 3 cycles<'
+notes_have '^Plane z = 12; 1 swimmer, .* Beads are grey.$'
+around=(--flow-frame swimmer --flow-region=-24:24,-12:12,-12:12)
+mean --flow-mean 1 "${around[@]}"
+out_has '>Mean flow of 1 cycle after 3 cycles<'
+notes_have '^Plane z = 0 in the frame of swimmer 0; 1 swimmer, .* Beads are grey.$'
+mean --flow-every 3 "${around[@]}"
+out_has '>Flow after 3 cycles<'
+notes_have '^Plane z = 0 in the frame of swimmer 0; '
 
 # --- refusals
 refuses '--plane: the flow in .*vti has no z = 25, only 0 to 24; give a coordinate' beadswim-plot flow run.h5md --plane xy:25

@@ -13,7 +13,7 @@ def read_vti(path):
     image = xml.parse(path).getroot().find("ImageData")
     cells = [int(n) for n in image.get("WholeExtent").split()[1::2]]
     fields = {}
-    for array in image.iter("DataArray"):
+    for array in image.find("Piece/CellData").iter("DataArray"):
         parts = int(array.get("NumberOfComponents", "1"))
         count = parts * math.prod(cells)
         numbers = struct.unpack(f"<{count}f", base64.b64decode(array.text.strip())[8:])

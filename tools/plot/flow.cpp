@@ -147,19 +147,11 @@ std::vector<BeadOutline> outlines(const FlowSource& source, const FlowPicture& p
   return drawn;
 }
 
-/// Returns true if the flow has no bead where an outline is: the flow is in the frame of a swimmer.
-bool is_elsewhere(const BeadOutline& bead, const std::vector<FlowLayer>& layers) {
-  constexpr double half_diagonal = 0.87;  // of a cell
-  const auto contains = [&](const FlowLayer& layer) { return layer.extent().contains(bead.centre); };
-  const auto finest = std::find_if(layers.rbegin(), layers.rend(), contains);
-  if (finest == layers.rend() || !bead.is_cut || bead.radius < half_diagonal * finest->spacing) return false;
-  const Eigen::Array2i cell =
-      ((bead.centre - finest->origin) / finest->spacing).array().cast<int>().min(finest->cells - 1);
-  return finest->covered[finest->index(cell.x(), cell.y())] == 0;
-}
-
-std::string scene_text(const FlowSource& source, const FlowPicture& picture) {
+std::string scene_text(const FlowSource& source, const FlowPicture& picture,
+                       const std::map<std::string, double>& numbers) {
   std::string text = fmt::format("Plane {} = {:g}", "xyz"[picture.across], picture.coordinate);
+  if (const auto found = numbers.find(vti_frame_swimmer); found != numbers.end())
+    text += fmt::format(" in the frame of swimmer {}", found->second);
   if (!source.run) return text;
   const std::size_t swimmers = source.run->swimmers().size();
   return text + fmt::format("; {} swimmer{}, T = {:g}, {}", swimmers, swimmers == 1 ? "" : "s",
@@ -185,25 +177,26 @@ FlowPicture flow_figure(const std::vector<std::string>& inputs, const FlowFlags&
   const FlowSource source = is_trajectory(path) ? last_flow(path) : flow_file(path);
   const FlowField field(source.files);
   const FlowPlane plane = field.resolved(options.plane);
-  FlowPicture picture{.title = "Flow",
-                      .across = *plane.across,
-                      .coordinate = *plane.coordinate,
-                      .layers = field.layers(plane),
-                      .quantity = options.quantity,
-                      .style = options.style};
+  const std::map<std::string, double>& numbers = field.numbers();
+  const auto mean = numbers.find(vti_mean_cycles);
+  FlowPicture picture{
+      .title = mean == numbers.end() ? "Flow" : fmt::format("Mean flow of {}", cycles_text({mean->second})),
+      .across = *plane.across,
+      .coordinate = *plane.coordinate,
+      .layers = field.layers(plane),
+      .quantity = options.quantity,
+      .style = options.style};
   if (source.run) {
     picture.length_unit = length_unit(source.run->layout.units);
     picture.velocity_unit = velocity_unit(source.run->layout.units);
     if (source.time) {
-      picture.title = fmt::format("Flow after {}", cycles_text({*source.time / source.run->period()}));
-      picture.beads = outlines(source, picture, field.extent());
+      picture.title += fmt::format(" after {}", cycles_text({*source.time / source.run->period()}));
+      if (numbers.empty()) picture.beads = outlines(source, picture, field.extent());
     }
   }
-  const auto is_wrong = [&](const BeadOutline& bead) { return is_elsewhere(bead, picture.layers); };
-  if (std::ranges::any_of(picture.beads, is_wrong)) picture.beads.clear();
   const auto has_covered = [](const FlowLayer& layer) { return std::ranges::max(layer.covered) >= 0.5; };
   picture.shows_covered_cells = picture.beads.empty() && std::ranges::any_of(picture.layers, has_covered);
-  picture.notes = {{.text = scene_text(source, picture)}, {.text = reading_text(picture)}};
+  picture.notes = {{.text = scene_text(source, picture, numbers)}, {.text = reading_text(picture)}};
   return picture;
 }
 

@@ -55,14 +55,21 @@ void write_vti(const std::string& path, const VtiCells& grid, const std::vector<
   const std::string part = path + ".part";
   OpenFile file(std::fopen(part.c_str(), "wb"));
   if (!file) throw SolverError(fmt::format("{} cannot be created: {}", path, std::strerror(errno)));
+  std::string numbers;
+  for (const auto& [name, value] : grid.numbers)
+    numbers += fmt::format(
+        "      <DataArray type=\"Float64\" Name=\"{}\" NumberOfTuples=\"1\" "
+        "format=\"ascii\">{}</DataArray>\n",
+        name, value);
+  if (!numbers.empty()) numbers = "    <FieldData>\n" + numbers + "    </FieldData>\n";
   const std::string extent = fmt::format("0 {} 0 {} 0 {}", cells[0], cells[1], cells[2]);
   put(file.get(),
       fmt::format(
           "<?xml version=\"1.0\"?>\n"
           "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
           "  <ImageData WholeExtent=\"{0}\" Origin=\"{2} {3} {4}\" Spacing=\"{1} {1} {1}\">\n"
-          "    <Piece Extent=\"{0}\">\n      <CellData>\n",
-          extent, grid.spacing, grid.origin[0], grid.origin[1], grid.origin[2]));
+          "{5}    <Piece Extent=\"{0}\">\n      <CellData>\n",
+          extent, grid.spacing, grid.origin[0], grid.origin[1], grid.origin[2], numbers));
   for (const VtiField& field : fields) write_field(file.get(), cells, field);
   put(file.get(), "      </CellData>\n    </Piece>\n  </ImageData>\n</VTKFile>\n");
   const bool written = std::ferror(file.get()) == 0;

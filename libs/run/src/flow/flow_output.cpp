@@ -10,6 +10,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
+#include "beadswim/core/sha256.hpp"
 #include "beadswim/io/json.hpp"
 
 namespace beadswim {
@@ -29,10 +30,20 @@ long first_step_of_mean(const FlowRequest& request, const ModelPlan& plan) {
 
 FlowState state_in(const std::vector<char>& bytes) {
   FlowState state;
-  if (bytes.empty()) return {.first = -1};
+  if (bytes.empty()) return state;
   IncomingMessage message(bytes);
   message(state);
   return state;
+}
+
+/// Returns a hash of the places of the flow: the swimmer of the frame and the points.
+std::vector<char> hash_of_places(const FlowRequest& request) {
+  Sha256 hash;
+  const int swimmer = request.swimmer.value_or(-1);
+  hash.update(std::as_bytes(std::span(&swimmer, 1)));
+  hash.update(std::as_bytes(std::span(request.points)));
+  const std::string text = hash.hexadecimal();
+  return {text.begin(), text.end()};
 }
 
 }  // namespace
@@ -41,7 +52,7 @@ void require_sums(const FlowRequest& request, const ModelPlan& plan, const std::
   if (!request.mean_cycles) return;
   const long first = first_step_of_mean(request, plan);
   const FlowState earlier = state_in(state);
-  if (plan.steps_done <= first || (earlier.first == first && earlier.sums.size() == request.points.size()))
+  if (plan.steps_done <= first || (earlier.first == first && earlier.places == hash_of_places(request)))
     return;
   throw InputError(
       Setting::flow_mean,
@@ -59,6 +70,7 @@ FlowOutput::FlowOutput(FlowRequest request, const ModelPlan& plan, const Layout&
       done_(done),
       domain_(layout.domain) {
   const RunSettings& settings = plan.settings;
+  state_.places = hash_of_places(request_);
   if (request_.mean_cycles) {
     state_.first = first_step_of_mean(request_, plan);
     const long per_cycle =
@@ -221,9 +233,10 @@ std::vector<char> FlowOutput::state() const {
 
 void FlowOutput::restore(const std::vector<char>& bytes) {
   const FlowState earlier = state_in(bytes);
-  state_.axes = earlier.axes;
-  if (earlier.first == state_.first && earlier.sums.size() == request_.points.size())
-    state_.sums = earlier.sums;
+  if (earlier.places == state_.places) {
+    state_.axes = earlier.axes;
+    if (earlier.first == state_.first) state_.sums = earlier.sums;
+  }
   if (done_ == 0 || !request_.is_grid) return;
   const std::filesystem::path folder = std::filesystem::path(stem_).parent_path();
   const auto exists = [&](const PvdEntry& entry) { return std::filesystem::exists(folder / entry.file); };

@@ -13,12 +13,13 @@ namespace beadswim {
 /// What a run remembers of its flow.
 struct FlowState {
   std::vector<long> steps{};  ///< whose flow fields are listed
-  long first = 0;             ///< of a mean: step at which it begins
+  long first = -1;            ///< of a mean: step at which it begins
+  std::vector<char> places{};  ///< hash of swimmer and points that determine axes and sums
   /// Columns of the orientation of the swimmer of the frame, at the last flow; of the box: the unit vectors.
   std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
   std::vector<PointFlow> sums{};  ///< of a mean, on rank 0: sum of flow times weight
 
-  BEADSWIM_FIELDS(steps, first, axes, sums)
+  BEADSWIM_FIELDS(steps, first, places, axes, sums)
 };
 
 /// Throws InputError if the mean of a run that continues from a checkpoint began before it, and the run of

@@ -25,11 +25,17 @@ struct VtiField {
   std::function<std::vector<float>(int z)> plane;
 };
 
+/// Numbers of a whole file (field data): cycles over which the fields are averaged, and id of the swimmer in
+/// whose frame they are.
+inline constexpr const char* vti_mean_cycles = "mean_cycles";
+inline constexpr const char* vti_frame_swimmer = "frame_swimmer";
+
 /// Cells of a file: a box of cubes.
 struct VtiCells {
   Index3 cells = Index3::Zero();
   double spacing = 1;          ///< edge of a cell [length]
   Vec3 origin = Vec3::Zero();  ///< corner of the first cell [length]
+  std::map<std::string, double> numbers{};  ///< of the whole file
 };
 
 /// Name of the field that hides cells in ParaView, and its value for a hidden cell. It must consist of small
