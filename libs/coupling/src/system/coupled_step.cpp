@@ -95,7 +95,7 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       loads[b].force = 0.5 * (swimmer.last_impulse[b].force + impulse.force);
       loads[b].torque = 0.5 * (swimmer.last_impulse[b].torque + impulse.torque);
       swimmer.last_impulse[b] = impulse;
-      swimmer.fluid_loads[b] = loads[b];
+      swimmer.fluid_impulse[b] += loads[b].force;
       stress += received.stress.value();
       swimmer.removed_fraction[b] = received.removed_fraction.value();
       // The links return a part of the fluid mass that the bead holds, in proportion to w_i.

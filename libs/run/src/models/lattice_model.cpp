@@ -134,10 +134,11 @@ class LatticeModel : public Model {
     return swimmers;
   }
 
-  std::vector<Vec3> gather_fluid_forces() const override {
-    std::vector<Vec3> forces;
+  FluidForces gather_fluid_forces() const override {
+    FluidForces forces;
     for (const SwimmerState& swimmer : system_->gather_swimmers())
-      for (const Load& load : swimmer.fluid_loads) forces.push_back(load.force);
+      forces.integral.insert(forces.integral.end(), swimmer.fluid_impulse.begin(),
+                             swimmer.fluid_impulse.end());
     return forces;
   }
 
@@ -159,7 +160,7 @@ class LatticeModel : public Model {
     return model_fault(*fault, faulty_run(*fault, on_lattice_, largest_mach()));
   }
 
-  std::vector<PointFlow> flow_at(std::span<const Vec3> points) const override {
+  std::vector<PointFlow> flow_at(std::span<const Vec3> points) override {
     return LatticeFlow(*system_, on_lattice_.lattice.scales, communicator_).at(points);
   }
   void write_flow(const std::vector<std::string>& files) const override {

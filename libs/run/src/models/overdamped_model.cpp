@@ -118,7 +118,7 @@ class OverdampedModel : public Model {
     return swimmers;
   }
 
-  std::vector<Vec3> gather_fluid_forces() const override { return system_.fluid_forces(); }
+  FluidForces gather_fluid_forces() const override { return {.present = system_.fluid_forces()}; }
 
   // Without inertia, momentum is not defined and the mean flow is zero. With inertia, all is at rest at
   // first.
@@ -148,7 +148,7 @@ class OverdampedModel : public Model {
                       : ""});
   }
 
-  std::vector<PointFlow> flow_at(std::span<const Vec3> points) const override {
+  std::vector<PointFlow> flow_at(std::span<const Vec3> points) override {
     std::vector<Vec3> places;  // [units]
     for (const Vec3& point : points) places.push_back(wrapped(point / plan_.units.length, plan_.scene.box));
     const FlowAtPoints flow = system_.flow_at(places);

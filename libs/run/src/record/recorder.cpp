@@ -217,8 +217,16 @@ void Recorder::record(const Model& model, const ModelTotals& totals) {
   ++next_frame_;
 }
 
-void Recorder::add_forces(const Model& model, TrajectoryFrame& frame) const {
-  for (const Vec3& force : model.gather_fluid_forces()) frame.forces.push_back(force * plan_.units.force());
+void Recorder::add_forces(const Model& model, TrajectoryFrame& frame) {
+  const FluidForces of_fluid = model.gather_fluid_forces();
+  const auto steps = static_cast<double>(frame.step - step_of_frame(next_frame_ - 1));
+  frame.forces = of_fluid.present;
+  frame.forces.resize(frame.positions.size(), Vec3::Zero());
+  fluid_impulse_.resize(of_fluid.integral.size(), Vec3::Zero());
+  for (std::size_t b = 0; b < fluid_impulse_.size() && next_frame_ > 0; ++b)
+    frame.forces[b] = (of_fluid.integral[b] - fluid_impulse_[b]) / steps;
+  fluid_impulse_ = of_fluid.integral;
+  for (Vec3& force : frame.forces) force *= plan_.units.force();
   auto first = frame.positions.begin();
   for (std::size_t s = 0; s < logs_.size() && first != frame.positions.end(); ++s) {
     const SwimmerType& type = logs_[s].type;
@@ -297,7 +305,8 @@ void Recorder::append_swarm(const std::vector<SwimmerMotion>& swimmers, const Ve
 
 template <class Message>
 void Recorder::transfer(Message& message) {
-  message(next_frame_, last_frame_.time, last_frame_.mean_flow, largest_turn_, gathered_, swarm_);
+  message(next_frame_, last_frame_.time, last_frame_.mean_flow, fluid_impulse_, largest_turn_, gathered_,
+          swarm_);
   for (SwimmerLog& log : logs_) message(log.samples, log.record.cycles);
 }
 

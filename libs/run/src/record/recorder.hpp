@@ -131,8 +131,10 @@ class Recorder {
   /// Returns the drag coefficient of the swimmer with its mean shape in this cycle, towed along its axis in
   /// open space [mass/time]; nothing if beads nearly touch.
   std::optional<double> drag_in_cycle(const SwimmerLog& log, const CycleStatistics& cycle) const;
+  /// Adds the forces of fluid and drives to a frame. Those of the fluid are means since the last frame where
+  /// the model gives integrals.
+  void add_forces(const Model& model, TrajectoryFrame& frame);
   /// Updates largest_turn_ with the present motion.
-  void add_forces(const Model& model, TrajectoryFrame& frame) const;
   void record_turns(const std::vector<SwimmerMotion>& swimmers);
   void append_cycles(long step, double time);
   void append_swarm(const std::vector<SwimmerMotion>& swimmers, const Vec3& momentum);
@@ -157,6 +159,7 @@ class Recorder {
   // Used on rank 0 only:
   std::vector<PositionSample> gathered_;  ///< samples of all ranks since the last frame
   FlowSample last_frame_;
+  std::vector<Vec3> fluid_impulse_;  ///< FluidForces::integral at the last frame
   std::vector<SwimmerLog> logs_;   ///< one per swimmer, in the order of ids
   double largest_turn_ = 0;        ///< largest rotation of a swimmer between two samples [radian]
   std::vector<SwarmCycle> swarm_;  ///< one per base cycle; empty for a single swimmer

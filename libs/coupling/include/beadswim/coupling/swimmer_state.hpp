@@ -26,8 +26,7 @@ struct SwimmerState {
   /// Fluid mass that each link of a bead returns in the next step, divided by the weight of the link.
   std::vector<double> mass_source;
   SwimmerLoads last_impulse;             ///< impulses of the fluid on the beads in the previous step
-  /// Means of the impulses of the fluid in the last two steps: its forces and torques on the beads.
-  SwimmerLoads fluid_loads;
+  std::vector<Vec3> fluid_impulse;       ///< sums over all steps of the impulses of the fluid on the beads
   SwimmerLoads inner_momentum;           ///< momenta of the fluid within the beads (psm, saturated_cells.hpp)
   std::vector<BeadVelocity> predicted;   ///< velocities at the end of the next step without close beads
   std::vector<double> removed_fraction;  ///< Impulse::removed_fraction of the beads in the last step
@@ -36,6 +35,7 @@ struct SwimmerState {
   static SwimmerState of_beads(std::size_t beads) {
     SwimmerState swimmer;
     visit_bead_fields([&](const char*, auto& of_beads) { of_beads.resize(beads); }, swimmer);
+    swimmer.fluid_impulse.assign(beads, Vec3::Zero());
     return swimmer;
   }
 
@@ -50,7 +50,7 @@ struct SwimmerState {
   const Vec3& middle() const { return motion[motion.size() / 2].position; }
 
   BEADSWIM_FIELDS(id, type, initial_orientation, dipole_sum, held_mass, mass_source, removed_fraction, motion,
-                  last_impulse, fluid_loads, inner_momentum, predicted)
+                  last_impulse, fluid_impulse, inner_momentum, predicted)
 
   /// Visits the fields with one entry per bead. state_sha256() hashes these fields.
   static void visit_bead_fields(auto&& visit, auto& swimmer) {

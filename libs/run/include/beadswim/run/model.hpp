@@ -56,6 +56,12 @@ struct PointFlow {
   BEADSWIM_FIELDS(velocity, pressure, bead)
 };
 
+/// Forces of the fluid on all beads. Where they fluctuate, only their integral over time is given.
+struct FluidForces {
+  std::vector<Vec3> present{};
+  std::vector<Vec3> integral{};  ///< sum over all steps of the force in the step
+};
+
 /// Appends a warning. Its message is a format of fmt with its values.
 template <class... Values>
 void add_warning(std::vector<RunWarning>& warnings, const char* code, fmt::format_string<Values...> message,
@@ -102,7 +108,7 @@ class Model {
 
   /// Returns the present forces of the fluid on all beads, in the order of gather_swimmers(), on rank 0
   /// [ModelPlan::units].
-  virtual std::vector<Vec3> gather_fluid_forces() const = 0;
+  virtual FluidForces gather_fluid_forces() const = 0;
 
   virtual ModelTotals first_totals() const = 0;  ///< totals at the start of the run
   virtual ModelTotals totals() = 0;              ///< evaluates the present totals
@@ -112,7 +118,7 @@ class Model {
   virtual std::optional<EarlyStop> fault() const = 0;
 
   /// Returns the present flow at points in the box [length], complete on rank 0.
-  virtual std::vector<PointFlow> flow_at(std::span<const Vec3> points) const = 0;
+  virtual std::vector<PointFlow> flow_at(std::span<const Vec3> points) = 0;
   /// Writes the present flow on all cells of the lattice, one file per level of cells
   /// (ModelPlan::flow_levels()).
   virtual void write_flow(const std::vector<std::string>& /*files*/) const {}
