@@ -9,38 +9,19 @@
 #include "beadswim/core/csv.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/joined.hpp"
-#include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/results.hpp"
-#include "beadswim/documents/trajectory_file.hpp"
-#include "beadswim/io/document_stream.hpp"
+#include "beadswim/tools/program.hpp"
 #include "comparison_inputs.hpp"
 
 namespace beadswim {
 namespace {
 
 std::vector<RunFile> read_runs(const std::vector<std::string>& files) {
-  if (files.empty()) throw InputError("FILES", "no file is given; name a run record or a trajectory");
-  require_one_standard_input(files);
+  ReadDocuments read = read_documents(files, "a run record", run_from_json);
+  report_left_out("beadswim-compare", read.failures, read.count());
   std::vector<RunFile> runs;
-  std::size_t failures = 0;
-  for (const std::string& path : files) {
-    if (is_trajectory(path)) {
-      runs.push_back({path, run_of_trajectory(path)});
-      continue;
-    }
-    for (const auto& [source, json] : read_json_documents(path, "a run record")) {
-      if (is_failure(json)) {
-        ++failures;
-        continue;
-      }
-      runs.push_back({source, run_from_json(json, source)});
-    }
-  }
-  if (runs.empty())
-    throw InputError("FILES", "all documents are failures; their key \"reason\" says why there is no result");
-  if (failures > 0)
-    print_to_stderr(fmt::format("beadswim-compare: {} of {} documents have no result, and are left out\n",
-                                failures, runs.size() + failures));
+  for (SourceDocument& file : read.documents)
+    runs.push_back({file.source, std::get<RunRecord>(std::move(file.document))});
   return runs;
 }
 

@@ -8,9 +8,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
-#include "beadswim/documents/failure_document.hpp"
-#include "beadswim/documents/trajectory_file.hpp"
-#include "beadswim/io/document_stream.hpp"
+#include "beadswim/tools/program.hpp"
 
 namespace beadswim {
 namespace {
@@ -83,30 +81,13 @@ InputChoice resolve_methods(InputChoice choice, const std::vector<SourceDocument
   return choice;
 }
 
-/// Reads the documents of all files. `failures`: number of failures among them, which are left out.
-std::vector<SourceDocument> read_documents(const std::vector<std::string>& files, int& failures) {
-  if (files.empty()) throw InputError("FILES", "no file is given; name run records and predictions to draw");
-  require_one_standard_input(files);
-  std::vector<SourceDocument> documents;
-  for (const std::string& path : files) {
-    if (is_trajectory(path)) {
-      documents.push_back({path, run_of_trajectory(path)});
-      continue;
-    }
-    for (const auto& [source, json] : read_json_documents(path, "a run record or a prediction")) {
-      if (is_failure(json)) {
-        ++failures;
-        continue;
-      }
-      if (schema_of(json).starts_with("beadswim/verdict/"))
-        throw InputError(source,
-                         "the document is a verdict; verdicts are drawn only by beadswim-plot "
-                         "speed-against-error, without --reference; leave this file out");
-      documents.push_back({source, swimming_from_json(json, source)});
-    }
-  }
-  if (documents.empty()) report_left_out(failures, failures);
-  return documents;
+/// Converts a JSON document that a figure can show.
+SwimmingDocument document_to_draw(const Json& json, const std::string& source) {
+  if (schema_of(json).starts_with("beadswim/verdict/"))
+    throw InputError(source,
+                     "the document is a verdict; verdicts are drawn only by beadswim-plot "
+                     "speed-against-error, without --reference; leave this file out");
+  return swimming_from_json(json, source);
 }
 
 /// Adds the swimmers of a run that have the chosen cycles. Throws InputError if there are none.
@@ -137,14 +118,6 @@ std::string only_file(const std::vector<std::string>& files, const std::string& 
   throw InputError("FILES", fmt::format("{} files are given; {}; give one file", files.size(), rule));
 }
 
-void report_left_out(int left_out, int documents) {
-  if (left_out == documents)
-    throw InputError("FILES", "all documents are failures; their key \"reason\" says why there is no result");
-  if (left_out > 0)
-    print_to_stderr(fmt::format("beadswim-plot: {} of {} documents have no result, and are left out\n",
-                                left_out, documents));
-}
-
 std::vector<Json> PlotInputs::studies() const {
   std::vector<Json> studies;
   for (const PlottedRun& run : runs) studies.push_back(run.study());
@@ -158,9 +131,11 @@ Results PlottedPrediction::results() const {
 }
 
 PlotInputs read_plot_inputs(const std::vector<std::string>& files, const InputChoice& wanted) {
-  int left_out = 0;
-  std::vector<SourceDocument> documents = read_documents(files, left_out);
-  const int count = static_cast<int>(documents.size()) + left_out;
+  ReadDocuments read = read_documents(files, "a run record or a prediction", document_to_draw);
+  const int count = read.count();
+  int left_out = read.failures;
+  std::vector<SourceDocument>& documents = read.documents;
+  if (documents.empty()) report_left_out("beadswim-plot", left_out, count);
   PlotInputs inputs{.units = units_of(documents.front().document)};
   for (const SourceDocument& file : documents)
     require_same_units(units_of(file.document), file.source, inputs.units, documents.front().source);
@@ -186,7 +161,7 @@ PlotInputs read_plot_inputs(const std::vector<std::string>& files, const InputCh
     }
   }
   if (reason && inputs.runs.empty() && inputs.predictions.empty()) throw *reason;
-  report_left_out(left_out, count);
+  report_left_out("beadswim-plot", left_out, count);
   return inputs;
 }
 

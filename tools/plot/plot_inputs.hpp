@@ -61,7 +61,4 @@ void require_same_units(const Units& units, const std::string& source, const Uni
 /// Returns the only file. Throws InputError, which states the rule, if there is another number of files.
 std::string only_file(const std::vector<std::string>& files, const std::string& rule);
 
-/// Prints how many of `documents` have no result, if there are any. Throws InputError if none has.
-void report_left_out(int left_out, int documents);
-
 }  // namespace beadswim

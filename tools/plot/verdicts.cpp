@@ -9,6 +9,7 @@
 #include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"
+#include "beadswim/tools/program.hpp"
 #include "errors.hpp"
 #include "plot_inputs.hpp"
 
@@ -88,7 +89,7 @@ std::vector<ErrorsOfSetting> read_verdicts(const std::vector<std::string>& files
       all.push_back(errors_of(verdict, method, document.source));
     }
   }
-  report_left_out(failures, static_cast<int>(all.size()) + failures);
+  report_left_out("beadswim-plot", failures, static_cast<int>(all.size()) + failures);
   const auto has_errors = [](const ErrorsOfSetting& each) { return !each.resolutions[0].errors.empty(); };
   if (std::ranges::none_of(all, has_errors))
     throw InputError(

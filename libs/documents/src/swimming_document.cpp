@@ -11,6 +11,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/joined.hpp"
 #include "beadswim/core/setting.hpp"
+#include "beadswim/documents/failure_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/io/document_stream.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
@@ -80,6 +81,29 @@ SwimmingDocument swimming_from_json(const Json& document, const std::string& sou
                                        "(\"beadswim/prediction/1\") is needed here",
                                        schema.empty() ? "the document has no key \"schema\""
                                                       : "the document has the schema \"" + schema + "\""));
+}
+
+ReadDocuments read_documents(
+    const std::vector<std::string>& files, const std::string& wanted,
+    const std::function<SwimmingDocument(const Json& document, const std::string& source)>& parse) {
+  if (files.empty())
+    throw InputError("FILES", fmt::format("no file is given; name {} or a trajectory", wanted));
+  require_one_standard_input(files);
+  ReadDocuments read;
+  for (const std::string& path : files) {
+    if (is_trajectory(path)) {
+      read.documents.push_back({path, run_of_trajectory(path)});
+      continue;
+    }
+    for (const auto& [source, json] : read_json_documents(path, wanted)) {
+      if (is_failure(json)) {
+        ++read.failures;
+      } else {
+        read.documents.push_back({source, parse(json, source)});
+      }
+    }
+  }
+  return read;
 }
 
 const Units& units_of(const SwimmingDocument& document) {

@@ -276,6 +276,14 @@ void require_other_file(const std::string& input, const std::string& output) {
   throw InputError(output, "the output would replace the input file; name another output file");
 }
 
+void report_left_out(const char* program, int left_out, int documents) {
+  if (left_out == documents)
+    throw InputError("FILES", "all documents are failures; their key \"reason\" says why there is no result");
+  if (left_out > 0)
+    print_to_stderr(fmt::format("{}: {} of {} documents have no result, and are left out\n", program,
+                                left_out, documents));
+}
+
 Json provenance_record(const CLI::App& program) {
   Json arguments = Json::array();
   append_arguments(program, arguments);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -50,6 +51,21 @@ std::vector<SourceJson> read_json_documents(const std::string& path, const std::
 /// Converts a JSON document to a run record or a prediction document, as the schema name in the document
 /// states. Throws InputError for other schemas.
 SwimmingDocument swimming_from_json(const Json& document, const std::string& source);
+
+/// Documents of several files without the failures among them, and the number of these.
+struct ReadDocuments {
+  std::vector<SourceDocument> documents{};
+  int failures = 0;
+
+  int count() const { return static_cast<int>(documents.size()) + failures; }
+};
+
+/// Reads the run records of trajectories, and the JSON documents of all other files with `parse`. Throws the
+/// errors of read_json_documents(), `parse` and run_of_trajectory(), and InputError if no file is named or
+/// several are standard input. `wanted`: name of the expected documents for the error message.
+ReadDocuments read_documents(
+    const std::vector<std::string>& files, const std::string& wanted,
+    const std::function<SwimmingDocument(const Json& document, const std::string& source)>& parse);
 
 /// Returns the units of a document.
 const Units& units_of(const SwimmingDocument& document);

@@ -92,6 +92,9 @@ void require_other_file(const std::string& input, const std::string& output);
 /// Throws InputError if the path, value of the flag, does not end in .csv and is not "-" (standard output).
 void require_csv_path(const std::string& path, const std::string& flag);
 
+/// Prints how many of `documents` have no result, if there are any. Throws InputError if none has.
+void report_left_out(const char* program, int left_out, int documents);
+
 /// Returns the record of this run of the program (provenance): { "program", "version", "revision",
 /// "arguments" }. The arguments are the flags of the command line with their values. Names of input and
 /// output files are omitted, so that a document does not depend on whether its input came from a pipe or from
