@@ -39,14 +39,16 @@ void add_direction(CLI::App& command, Vec3& direction) {
             "Direction of the force in the box, a vector of any length");
 }
 
-void add_chain(CLI::App& command, int& beads, int fewest, const std::string& counted,
-               std::optional<double>& arm) {
-  begin_group(command, "Beads");
-  add_value(command, counted, beads, {"N", whole_number(fewest, max_beads)},
-            counted == "--beads" ? "Number of beads" : "Number of beads of a link, both hinges included");
+void add_distance(CLI::App& command, std::optional<double>& arm) {
   begin_group(command, "Springs");
   add_value(command, "--arm", arm, {"L", finite_positive(), "2.5 R"},
             "Distance of neighbouring beads at rest [length]");
+}
+
+void add_chain(CLI::App& command, int& beads, int fewest, std::optional<double>& arm) {
+  begin_group(command, "Beads");
+  add_value(command, "--beads", beads, {"N", whole_number(fewest, max_beads)}, "Number of beads");
+  add_distance(command, arm);
 }
 
 void add_angular_stiffness(CLI::App& command, std::optional<double>& angular_stiffness,
@@ -112,22 +114,25 @@ void add_flags(CLI::App& command, PrescribedThreeBead& swimmer) {
 }
 
 void add_flags(CLI::App& command, PurcellChain& chain) {
-  add_chain(command, chain.beads_per_link, 2, "--beads-per-link", chain.arm);
+  begin_group(command, "Beads");
+  const auto take = [&chain](const std::string& text) { chain.beads_per_link = parse_whole_numbers(text); };
+  add_value(command, "--beads-per-link", take,
+            {"N|N1,N2", number_list({1, 2}, whole_number(2, max_beads)), "4"},
+            "Number of beads of a link, both hinges included, of the outer links and of the middle one");
+  add_distance(command, chain.arm);
   add_radius(command, chain, 1);
   add_angular_stiffness(command, chain.angular_stiffness, "1000 gamma omega L^2, L: length of a link");
   begin_driving(command, "hinges at theta + A sin(2 pi t/T), theta + A sin(2 pi t/T + alpha)", chain);
   add_angle(command, "--rest-angle", chain.rest_angle,
             "Mean angle theta of the hinges, 0 for a straight chain, as 1 or 60deg [rad]", "60deg");
   add_angle(command, "--amplitude", chain.amplitude,
-            "Amplitude A of the angles; smaller than theta, because the force of an angular spring has no "
-            "direction where a hinge is straight [rad]",
-            "40deg");
+            "Amplitude A of the angles; hinges with A >= theta pass straight [rad]", "40deg");
   add_angle(command, "--phase", chain.phase,
             "Phase alpha by which hinge 2 is ahead of hinge 1, as 1.5 or 90deg [rad]", "90deg");
 }
 
 void add_flags(CLI::App& command, Flagellum& flagellum) {
-  add_chain(command, flagellum.beads, 3, "--beads", flagellum.arm);
+  add_chain(command, flagellum.beads, 3, flagellum.arm);
   add_radius(command, flagellum, 1);
   begin_group(command, "Springs");
   add_value(command, "--sperm-number", flagellum.sperm_number, {"S", finite_positive()},
@@ -157,7 +162,7 @@ void add_flags(CLI::App& command, TowedSphere& sphere) {
 }
 
 void add_flags(CLI::App& command, TowedChain& chain) {
-  add_chain(command, chain.beads, 2, "--beads", chain.arm);
+  add_chain(command, chain.beads, 2, chain.arm);
   add_radius(command, chain, 1);
   add_angular_stiffness(command, chain.angular_stiffness, "1000 gamma omega L^2, L: length of the chain");
   begin_driving(command, "constant force F on each bead", chain);

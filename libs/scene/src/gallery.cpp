@@ -147,24 +147,27 @@ SwimmerType swimmer_type(const PrescribedThreeBead& swimmer, const Fluid& fluid)
 }
 
 SwimmerType swimmer_type(const PurcellChain& chain, const Fluid& fluid) {
-  const int steps = chain.beads_per_link - 1;  // bonds of a link
-  const double arm = arm_of(chain.arm, close_arm, chain), link = steps * arm;
+  const int outer_steps = chain.beads_per_link.front() - 1;  // bonds of a link
+  const int steps = chain.beads_per_link.back() - 1;
+  const double arm = arm_of(chain.arm, close_arm, chain), link = std::max(outer_steps, steps) * arm;
+  const bool passes_straight = chain.amplitude >= chain.rest_angle;
   const std::array<double, 2> phase{0, chain.phase};
-  std::array<Vec3, 2> outer;  // directions of the outer links at time 0
+  std::array<Vec3, 2> outer;  // directions of the outer links at time 0; straight if hinges pass straight
   for (int k = 0; k < 2; ++k) {
-    const double bend = chain.rest_angle + chain.amplitude * std::sin(phase[k]);
+    const double bend = passes_straight ? 0 : chain.rest_angle + chain.amplitude * std::sin(phase[k]);
     outer[k] = Vec3(std::cos(bend), std::sin(bend), 0);
   }
   std::vector<Vec3> places;
-  for (int b = -steps; b <= 2 * steps; ++b) {
+  for (int b = -outer_steps; b <= steps + outer_steps; ++b) {
     const Vec3 along((std::clamp(b, 0, steps) - steps / 2.0) * arm, 0, 0);
     places.push_back(along + std::min(b, 0) * arm * outer[0] + std::max(b - steps, 0) * arm * outer[1]);
   }
   const double angular_stiffness = chain.angular_stiffness.value_or(stiff_angle(chain, link, fluid));
   SwimmerType type = chain_at(places, arm, angular_stiffness, chain, fluid);
   for (int k = 0; k < 2; ++k) {
-    const int angle = (k + 1) * steps - 1;
+    const int angle = outer_steps + k * steps - 1;
     type.angles[angle].rest = chain.rest_angle;
+    if (passes_straight) type.angles[angle].normal = k == 0 ? Vec3(-Vec3::UnitZ()) : Vec3(Vec3::UnitZ());
     type.driving.angles.push_back(
         {.angle = angle, .harmonics = {{.amplitude = chain.amplitude, .phase = phase[k]}}});
   }

@@ -55,12 +55,14 @@ struct PrescribedThreeBead : BondedSwimmer {
 
 /// Three straight links of beads with two hinges, bent to opposite sides in the plane z = 0, as a Z. The
 /// angles of the hinges oscillate: theta_1 = theta_0 + A sin(w t), theta_2 = theta_0 + A sin(w t + phase).
-/// Purcell, Am. J. Phys. 45 (1977) 3.
+/// Hinges that pass straight have a normal, by which their angles are signed. Purcell, Am. J. Phys. 45
+/// (1977) 3.
 struct PurcellChain : BondedSwimmer {
-  int beads_per_link = 4;                       ///< with the beads of the hinges, at least 2
+  /// With the beads of the hinges, at least 2: of the outer links and of the middle one.
+  std::vector<int> beads_per_link{4};
   std::optional<double> arm;                    ///< distance of neighbouring beads; nullopt: 2.5 a [length]
   double rest_angle = std::numbers::pi / 3;     ///< theta_0; 0: straight [radian]
-  double amplitude = 2 * std::numbers::pi / 9;  ///< A, less than theta_0 [radian]
+  double amplitude = 2 * std::numbers::pi / 9;  ///< A [radian]
   double phase = std::numbers::pi / 2;          ///< by which hinge 2 is ahead of hinge 1 [radian]
   std::optional<double> angular_stiffness;      ///< K_A; nullopt: k L^2 of one link [energy]
 };
