@@ -45,8 +45,8 @@ Eigen::VectorXd solve_definite(const Eigen::MatrixXd& a, const Eigen::VectorXd& 
   return a.ldlt().solve(b);
 }
 
-Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
-  return a.colPivHouseholderQr().solve(b);
+Eigen::MatrixXd least_squares(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return a.completeOrthogonalDecomposition().solve(b);
 }
 
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns) {

@@ -1,11 +1,11 @@
 #include "beadswim/swimmers/hinges.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "beadswim/core/dense_systems.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 
 namespace beadswim {
@@ -96,9 +96,8 @@ HingeFit fit_hinges(const SwimmerType& type, double time, const BeadVectors& pos
                .turns = {}};
   const Eigen::Matrix3d H = fit.rotation.transpose() * relative_to_mean(positions) * fit.shape.transpose();
   // Where all beads are in line, a turn about the line is undetermined, and the smallest one is taken.
-  fit.turns = Eigen::Matrix3d(H.trace() * Eigen::Matrix3d::Identity() - H)
-                  .completeOrthogonalDecomposition()
-                  .pseudoInverse();
+  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+  fit.turns = least_squares(H.trace() * identity - H, identity);
   return fit;
 }
 
@@ -140,7 +139,7 @@ double bending_of(const SwimmerType& type, std::size_t angle, double time, const
 
 double width_of(const BeadVectors& beads) {
   const Eigen::Matrix3Xd at = relative_to_mean(beads);
-  return at.jacobiSvd().singularValues()[1] / std::sqrt(at.cols());
+  return std::sqrt(std::max(SymmetricModes(at * at.transpose()).values[1], 0.0) / at.cols());
 }
 
 }  // namespace beadswim

@@ -1,10 +1,10 @@
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "beadswim/core/dense_systems.hpp"
 #include "beadswim/swimmers/hinges.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_matrices.hpp"
@@ -45,9 +45,8 @@ BeadVectors balancing_displacement(const SwimmerType& springs, const BeadVectors
     const double length = length_of(bond, beads);
     bond.rest_length = loaded == LoadedBonds::none ? length : std::min(length, bond.rest_length);
   }
-  const SwimmerVector<Size> displacement = own_stiffness<Size>(resisting, 0, beads)
-                                               .completeOrthogonalDecomposition()
-                                               .solve(own_forces<Size>(springs, 0, beads));
+  const Eigen::MatrixXd displacement =
+      least_squares(own_stiffness<Size>(resisting, 0, beads), own_forces<Size>(springs, 0, beads));
   return Eigen::Map<const Eigen::Matrix3Xd>(displacement.data(), 3, beads.cols());
 }
 

@@ -34,8 +34,9 @@ bool is_positive_definite(const Eigen::MatrixXd& matrix);
 /// Returns the solution x of a x = b for a positive definite matrix.
 Eigen::VectorXd solve_definite(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-/// Returns the x for which the norm of a x - b is smallest.
-Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// Returns the x for which the norm of a x - b is smallest; of several, the shortest. For b = 1 it is the
+/// pseudoinverse of a.
+Eigen::MatrixXd least_squares(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 /// Returns an orthonormal basis of the space that the columns of a matrix span.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns);
