@@ -32,7 +32,7 @@ refuses_nonsense() { # COMMAND... -- INPUT...
   check "flags of ${command[*]} are listed" test -n "$(flags_of with-value "${command[@]}")"
   for flag in $(flags_of with-value "${command[@]}"); do
     refused "${command[@]}" "$@" "$flag" ''
-    [[ $flag =~ ^--(output|restart|with|flow-points|stroke-from|reference|trace)$ ]] && continue
+    [[ $flag =~ ^--(output|restart|with|flow|flow-points|stroke-from|reference|trace)$ ]] && continue
     for value in abc 1e999 ,; do refused "${command[@]}" "$@" "$flag=$value"; done
   done
   for flag in $(flags_of without "${command[@]}"); do

@@ -65,6 +65,49 @@ beadswim-run swarm.json --model rpy -o '<b>&.h5md' --cycles 0.1 --progress none 
 accepts beadswim-view '<b>&.h5md' -o short.html --every 100
 check "the name is not kept" holds '.file == "<b>&.h5md" and .cycle_times == []' <(grep -oE 'id="scene">[^<]*' short.html | sed 's/^[^>]*>//')
 
+# --- the flow: every third cell of the file along each axis, without cells in the bead and hidden ones
+beadswim-layout shape sphere --unbounded >sphere.json
+flow_of() { # NAME FLAGS...   prints the last flow file
+  beadswim-run sphere.json --model rpy --cycles 1 --progress none -o "$1.h5md" "${@:2}" >"$1.record" 2>err
+  ls "$1".h5md.flow/*.vti | tail -1
+}
+region="--flow-region=-36:44,-30:30,-30:30 --flow-spacing 2"
+flow=$(flow_of sphere --flow-every 1 $region)
+cat >arrows.py <<'PYTHON'
+import array, base64, json, re, sys
+from flow_files import centres, read_vti
+def arrows(name):
+    page = open(name).read()
+    def rows(id):
+        numbers = array.array("f", base64.b64decode(re.search(f'id="{id}">([^<]*)</script>', page)[1]))
+        return list(zip(*(numbers[k::3] for k in range(3))))
+    return json.loads(re.search('id="scene">([^<]*)</script>', page)[1])["flow"], rows("flow-place"), rows("flow-velocity")
+cells, spacing, origin, fields = read_vti(sys.argv[1])
+places = centres(cells, spacing, origin)
+for page, low in (("flow.html", -99), ("hidden.html", 4)):
+    scene, at, velocity = arrows(page)
+    shown = [n for n, (x, y, z) in enumerate(places)
+             if all(((p - o) / spacing - 0.5 - (c - 1) % 3 // 2) % 3 == 0 for p, o, c in zip(places[n], origin, cells))
+             and fields["bead"][n] == 0 and x > low]
+    assert scene == {"arrows": len(shown), "spacing": 3 * spacing, "mean_cycles": None}, scene
+    assert at == [places[n] for n in shown] and velocity == [fields["velocity"][n] for n in shown]
+    print(page, len(shown), "arrows")
+PYTHON
+python3 - "$flow" <<'PYTHON' # hides the cells with x < 4, half of each row of 40
+import base64, sys
+flags = bytes(8 * (n % 40 < 20) for n in range(40 * 30 * 30))
+data = base64.b64encode(len(flags).to_bytes(8, "little") + flags).decode()
+field = f'        <DataArray type="UInt8" Name="vtkGhostType" NumberOfComponents="1" format="binary">\n{data}\n        </DataArray>\n'
+open("hidden.vti", "w").write(open(sys.argv[1]).read().replace("      </CellData>", field + "      </CellData>"))
+PYTHON
+accepts beadswim-view sphere.h5md -o flow.html --flow "$flow"
+accepts beadswim-view sphere.h5md -o hidden.html --flow hidden.vti
+run python3 arrows.py "$flow"
+has_status 0
+mean=$(flow_of mean --flow-mean 1 $region)
+accepts beadswim-view mean.h5md -o mean.html --flow "$mean"
+check "the mean is not named" holds '.flow.mean_cycles == 1' <(grep -oE 'id="scene">[^<]*' mean.html | sed 's/^[^>]*>//')
+
 # --- what cannot be shown
 echo kept >kept.html
 refuses 'absent.h5md: the file cannot be read' beadswim-view absent.h5md -o kept.html
@@ -73,6 +116,16 @@ refuses 'foreign.h5md: the file is an HDF5 file but not a trajectory of Beadswim
   beadswim-view foreign.h5md -o kept.html
 refuses 'swarm.json: the file is not an HDF5 file' beadswim-view swarm.json -o kept.html
 refuses '--output: the file name "page.svg" does not end in .html; give a name that ends in .html' beadswim-view swarm.h5md -o page.svg
+refuses 'absent.vti: the file cannot be read' beadswim-view sphere.h5md -o kept.html --flow absent.vti
+head -c 3000 "$flow" >cut.vti
+refuses 'cut.vti: .*; give a flow file \(.vti\) as beadswim-run wrote it' beadswim-view sphere.h5md -o kept.html --flow cut.vti
+refuses 'vti: the flow is in the frame of swimmer 0, but the page shows the box; give a flow file of a run without --flow-frame' \
+  beadswim-view sphere.h5md -o kept.html --flow "$(flow_of turned --flow-every 1 --flow-frame swimmer $region)"
+refuses 'vti: all cells of the flow lie in beads or are hidden; give a flow file with fluid' \
+  beadswim-view sphere.h5md -o kept.html --flow "$(flow_of inside --flow-every 1 --flow-region=4:4,0:0,0:0)"
+sed '3 s/Origin="[^"]*"/Origin="9000 0 0"/' "$flow" >far.vti
+refuses 'far.vti: the flow around \(9040, 30, 30\) is far from the swimmers around \(0, 0, 0\); give a flow file of the same run' \
+  beadswim-view sphere.h5md -o kept.html --flow far.vti
 refuses '--every' beadswim-view swarm.h5md -o kept.html --every 0
 refuses '--block-swimmers' beadswim-view swarm.h5md -o kept.html --block-swimmers 1,2
 refuses '--evry: unknown flag; did you mean --every' beadswim-view swarm.h5md -o kept.html --evry 2

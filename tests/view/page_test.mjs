@@ -1,6 +1,6 @@
 // Tests pages of beadswim-view in headless Chromium: loading, playing, selecting swimmers, and the content of the picture.
 //   node page_test.mjs FOLDER MODULES CHROMIUM
-// FOLDER contains the pages alone.html, swarm.html, outside.html, shapes.html, ends.html and the run records alone.json, swarm.json,
+// FOLDER contains the pages alone.html, swarm.html, outside.html, shapes.html, flow.html, ends.html and the run records alone.json, swarm.json,
 // shapes.json, which run.sh makes.
 // MODULES is a folder with playwright-core in node_modules.
 
@@ -36,7 +36,7 @@ async function opened(name, { viewport = { width: 1280, height: 800 }, from = br
 /** The canvas alone, without legend and axes that lie over it, when it has been drawn. */
 async function picture(page) {
   await page.evaluate(() => {
-    for (const id of ["legend", "triad"]) document.getElementById(id).style.visibility = "hidden";
+    for (const id of ["legends", "triad"]) document.getElementById(id).style.visibility = "hidden";
     return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
   });
   return decoded(browser, await page.locator("#canvas").screenshot());
@@ -182,6 +182,25 @@ test("shows swimmers of any shape", async () => {
   const disabled = (value) => page.locator(`#colours option[value=${value}]`).evaluate((option) => option.disabled);
   assert.deepEqual([await disabled("phase"), await disabled("orientation")], [false, true]);
   await page.selectOption("#colours", "phase");
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test("shows the flow as arrows, or hides it", async () => {
+  const { page, faults, message } = await opened("flow.html"); // a sphere of radius 4 that is pulled to the right, and one arrow of length 24
+  assert.equal(message, "");
+  await page.click('[data-view="y"]');
+  const seen = await picture(page), yellow = isOf([253, 231, 37]), arrows = patches(seen, yellow), [sphere] = patches(seen, blue);
+  assert.equal(arrows.length, 1);
+  const [{ x, y, width }] = arrows;
+  close(width, (24 / 8) * sphere.width, 0.1, "length of the arrow");
+  close(sphere.y - y, (30 / 8) * sphere.width, 0.1, "height of the arrow above the sphere");
+  const thickness = (part) => Array.from({ length: seen.height }, (_, row) => row).filter((row) => yellow(seen.at(Math.round(x + part * width), row))).length;
+  assert.ok(thickness(0.2) > 2 * thickness(-0.2), "the head is at the right");
+  assert.equal(await page.textContent("#flow-title"), "Flow: speed (lattice units)");
+  await page.uncheck("#flow");
+  assert.equal(patches(await picture(page), yellow).length, 0);
+  assert.ok(await page.locator("#flow-legend").isHidden());
   assert.deepEqual(faults, []);
   await page.close();
 });

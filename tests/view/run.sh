@@ -39,5 +39,7 @@ jq -n '{schema: "beadswim/layout/2", units: "lattice", fluid: {density: 1, kinem
       driving: {period: 300, bonds: [range(3) | {bond: (. + 1), rest_length: [{amplitude: (1 + .), phase: (3.141592653589793 * .)}]}]}},
     sphere: {beads: [{radius: 8, density: 1, at: [0, 0, 0]}], driving: {period: 300}}},
   swimmers: [{id: 0, type: "triangle", position: [0, 0, 0]}, {id: 1, type: "sphere", position: [40, 0, 0]}]}' | page shapes --cycles 2
+beadswim-layout shape sphere --unbounded | page flow --cycles 1 --flow-every 1 --flow-region=0:0,0:0,30:30 --flow-spacing 16
+beadswim-view flow.h5md -o flow.html --flow flow.h5md.flow/*.vti # one arrow, above the sphere
 beadswim-view alone.h5md -o ends.html --every 1000
 node "$here/page_test.mjs" "$folder" "$modules" "$chromium"

@@ -18,6 +18,7 @@ constexpr double max_bytes = 300e6;  // largest page that browsers open without 
 struct ViewRequest {
   std::string file;
   std::string output;
+  std::optional<std::string> flow{};
   PageOptions options;
 };
 
@@ -46,6 +47,12 @@ void add_flags(CLI::App& program, ViewRequest& request) {
       ->type_name("NX,NY,NZ|N")
       ->default_str("1,3,3")
       ->check(number_list({1, 3}, whole_positive()));
+  program
+      .add_option(
+          "--flow", request.flow,
+          "Flow file of the run (--flow-every, --flow-mean) in the frame of the box. The page shows it "
+          "as at most 4000 arrows")
+      ->type_name("FILE.vti");
   set_footer(program,
              {"beadswim-view run.h5md -o run.html", "beadswim-view run.h5md --every 10 -o small.html"},
              "viewing.md");
@@ -60,6 +67,7 @@ void require_output(const ViewRequest& request) {
                      path);
   }
   require_other_file(request.file, path);
+  if (request.flow) require_other_file(*request.flow, path);
 }
 
 /// Throws InputError if the page would be larger than max_bytes. The message states the value of --every that
@@ -86,6 +94,7 @@ int run(int argc, const char* const* argv) {
   if (page.before_data == nullptr) throw InputError("page", page.build_error);  // built without it
   require_output(request);
   const TrajectoryFile file = open_trajectory(request.file);
+  if (request.flow) request.options.flow = read_flow_arrows(*request.flow, file);
   require_page_size(file, request.options);
   write_text(request.output, page.before_data + page_data(file, request.options) + page.after_data);
   return static_cast<int>(ExitStatus::fine);

@@ -95,6 +95,12 @@ Json walls_of(const Domain& domain) {
   return walls;
 }
 
+Json flow_to_json(const FlowArrows& flow) {
+  Json json{{"arrows", flow.places.size()}, {"spacing", flow.spacing}, {"mean_cycles", nullptr}};
+  if (flow.mean_cycles) json["mean_cycles"] = *flow.mean_cycles;
+  return json;
+}
+
 /// Returns the content of the HTML element "scene": data about file, box, swimmers, frames and cycles.
 Json scene_to_json(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
                    const std::vector<TrajectoryCycle>& cycles, const PageOptions& options) {
@@ -110,7 +116,8 @@ Json scene_to_json(const TrajectoryFile& file, const std::vector<std::size_t>& f
              {"space", in_words(layout.domain)},
              {"box", nullptr},
              {"periodic", std::vector<bool>(3)},
-             {"walls", walls_of(layout.domain)}};
+             {"walls", walls_of(layout.domain)},
+             {"flow", options.flow ? flow_to_json(*options.flow) : Json()}};
   if (const auto& box = layout.domain.box) {
     scene["box"] = std::vector<double>(box->lengths.begin(), box->lengths.end());
     scene["periodic"] = {box->is_periodic(0), box->is_periodic(1), box->is_periodic(2)};
@@ -240,6 +247,10 @@ std::string page_data(const TrajectoryFile& file, const PageOptions& options) {
     text += data_element(fmt::format("frame-{}", f),
                          quantised_displacements(file.reader.frame(frames[f]), first, bead_steps));
   }
+  if (options.flow) {
+    text += data_element("flow-place", flattened(options.flow->places)) +
+            data_element("flow-velocity", flattened(options.flow->velocities));
+  }
   return text + all_cycle_elements(cycles, file);
 }
 
@@ -249,7 +260,8 @@ double expected_bytes(const TrajectoryFile& file, const PageOptions& options) {
   const double cycles = file.reader.times().back() / file.period();
   const auto swimmers = static_cast<double>(file.in_layout.size());
   const double columns = swimmers + 2 * static_cast<double>(count_bonds(file));
-  const double bytes = beads * (16 + 6 * frames) + swimmers * 4 + columns * (4 + 2 * cycles);
+  const auto arrows = static_cast<double>(options.flow ? options.flow->places.size() : 0);
+  const double bytes = beads * (16 + 6 * frames) + swimmers * 4 + columns * (4 + 2 * cycles) + arrows * 24;
   return bytes * 4 / 3;
 }
 

@@ -4,13 +4,15 @@
 #include <vector>
 
 #include "beadswim/documents/trajectory_file.hpp"
+#include "flow_arrows.hpp"
 
 namespace beadswim {
 
-/// Selection of the frames that the page shows, and size of the blocks of swimmers that it colours.
+/// Selection of the frames that the page shows, size of the blocks of swimmers that it colours, and flow.
 struct PageOptions {
   std::size_t every = 1;                     ///< shows the frames 0, every, 2 every, ... and the last
   std::vector<int> block_swimmers{1, 3, 3};  ///< swimmers per block, as in block_number()
+  std::optional<FlowArrows> flow{};          ///< nullopt: the page shows no flow
 };
 
 /// Returns the indices of the frames that the page shows: 0, every, 2 every, ... and the last frame.
@@ -28,12 +30,14 @@ std::vector<std::size_t> select_frames(std::size_t frames, std::size_t every);
 ///   cycle-NAME       int16    NAME of each swimmer or bond in each base cycle, in steps of cycle-NAME-step;
 ///                             -32768 represents NaN
 ///   cycle-NAME-step  float32  quantisation step of each swimmer or bond
+///   flow-place       float32  x, y, z of each arrow of the flow [length]
+///   flow-velocity    float32  velocity of the fluid at each arrow, along x, y, z [length/time]
 ///
 /// NAME is velocity of each swimmer (along its axis, relative to the mean flow), or amplitude or phase (arm
 /// amplitude and phase) of each bond, swimmer after swimmer. The key "shapes" of the scene lists number of
 /// beads, bonds, angles and line (the two end beads of swimmers in line) of the types, with beads numbered
-/// from 0; "shape" is the index of each swimmer's type in this list. Throws InputError that names the file
-/// and the place in it.
+/// from 0; "shape" is the index of each swimmer's type in this list. "flow" has the number of arrows, their
+/// spacing and the cycles of a mean, or is null. Throws InputError that names the file and the place in it.
 std::string page_data(const TrajectoryFile& file, const PageOptions& options);
 
 /// Returns the approximate size of page_data() [byte]. For large swarms the error is below 10 %.

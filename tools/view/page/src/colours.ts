@@ -10,7 +10,7 @@ const fromHex = (hex: string): Colour => [1, 3, 5].map((i) => parseInt(hex.slice
 export const toCss = (colour: Colour) => `rgb(${colour.map((part) => Math.round(255 * part)).join(" ")})`;
 
 export const categories = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#f0e442"].map(fromHex);
-const sequential = ["#440154", "#482878", "#3e4989", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725"].map(fromHex);
+export const sequential = ["#440154", "#482878", "#3e4989", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725"].map(fromHex);
 const diverging = ["#0072b2", "#7fb6d8", "#c8c8c8", "#e9ab7c", "#d55e00"].map(fromHex);
 const cyclic = ["#2d1e6b", "#2f6db0", "#8fc3cf", "#f2ead8", "#dfa16b", "#a63c46", "#2d1e6b"].map(fromHex);
 const unknown: Colour = [0.55, 0.55, 0.55];

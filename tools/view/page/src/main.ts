@@ -4,6 +4,7 @@
 import { Charts } from "./charts";
 import { colouring, colourings, unavailableReason, toCss, type Colouring, type ColouringName } from "./colours";
 import { download, plotsToCsv } from "./download";
+import { flowLegend } from "./flow";
 import { beadsAt, isSmooth, framePositionAt, positionsAt, timeAt, wrap, type Point } from "./motion";
 import { makePlots } from "./plots";
 import { middleBead, PageFault, readScene, type Scene } from "./scene";
@@ -45,6 +46,7 @@ class Player {
     document.addEventListener("keydown", (event) => this.onKey(event));
     for (const id of ["controls", "panel"]) element(id).hidden = false;
     this.setColours("block");
+    this.addFlow();
     this.pick(null);
     this.show(0);
     this.stage.setView("all");
@@ -207,6 +209,20 @@ class Player {
     });
     const scale = ends.map((end) => Object.assign(document.createElement("span"), { textContent: end }));
     element("legend-ends").replaceChildren(...(labels.length ? labels : scale));
+  }
+
+  private addFlow(): void {
+    const { flow, velocityUnit } = this.scene;
+    if (!flow) return;
+    const { title, bar, ends } = flowLegend(flow, velocityUnit), shown = element<HTMLInputElement>("flow");
+    element("flow-title").textContent = title;
+    element("flow-bar").style.backgroundImage = bar;
+    element("flow-ends").replaceChildren(...ends.map((end) => Object.assign(document.createElement("span"), { textContent: end })));
+    element("flow-control").hidden = element("flow-legend").hidden = false;
+    shown.addEventListener("change", () => {
+      element("flow-legend").hidden = !shown.checked;
+      this.stage.showFlow(shown.checked);
+    });
   }
 
   private fileName(end: string): string {

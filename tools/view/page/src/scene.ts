@@ -19,6 +19,14 @@ export interface Shape {
 /** Returns the number of the bead that stands for the position of a swimmer. */
 export const middleBead = (shape: Shape) => shape.beads >> 1;
 
+/** Flow of the fluid, as arrows on a regular grid. */
+export interface Flow {
+  spacing: number; // distance between neighbouring arrows along an axis [length]
+  meanCycles: number | null; // cycles of a mean; null for the flow at one time
+  places: Float32Array; // x, y, z of the middle of each arrow [length]
+  velocities: Float32Array; // velocity at each arrow along x, y, z [length/time]
+}
+
 export interface Scene {
   file: string;
   version: string;
@@ -43,6 +51,7 @@ export interface Scene {
   velocity: CycleTable; // velocity along the axis of the swimmer, minus the mean flow
   amplitudes: CycleTable; // arm amplitude d_i of each bond [length]
   phases: CycleTable; // arm phase δ_i of each bond [rad]
+  flow: Flow | null;
 }
 
 const notANumber = -32768; // represents NaN
@@ -87,6 +96,11 @@ function cycleTable(page: Document, name: string, cycles: number, columns: numbe
       return count === notANumber ? NaN : count * steps[column];
     },
   };
+}
+
+function readFlow(page: Document, header: { arrows: number; spacing: number; mean_cycles: number | null } | null): Flow | null {
+  return header && { spacing: header.spacing, meanCycles: header.mean_cycles,
+    places: readFloats(page, "flow-place", 3 * header.arrows), velocities: readFloats(page, "flow-velocity", 3 * header.arrows) };
 }
 
 /** Returns the sums of the first 0, 1, 2, ... numbers. */
@@ -134,5 +148,6 @@ export function readScene(page: Document): Scene {
     velocity: cycleTable(page, "velocity", cycles, swimmers),
     amplitudes: cycleTable(page, "amplitude", cycles, bonds),
     phases: cycleTable(page, "phase", cycles, bonds),
+    flow: readFlow(page, header.flow),
   };
 }

@@ -60,6 +60,33 @@ void main() {
   gl_FragDepth = depth(hit, projectionMatrix);
 }`;
 
+// An arrow points along y in its own coordinates, from -0.5 to 0.5. It is scaled to its width and length, and turned to
+// the velocity.
+export const arrowVertex = `
+precision highp float;
+uniform mat4 modelViewMatrix, projectionMatrix;
+in vec3 position;
+in vec3 centre, velocity, colour;
+in vec2 size;
+out vec3 seen, paint;
+void main() {
+  vec3 ahead = normalize(velocity);
+  vec3 side = normalize(cross(ahead, abs(ahead.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
+  vec3 turned = mat3(side, ahead, cross(side, ahead)) * (size.xyx * position);
+  seen = (modelViewMatrix * vec4(centre + turned, 1.0)).xyz;
+  paint = colour;
+  gl_Position = projectionMatrix * vec4(seen, 1.0);
+}`;
+
+export const arrowFragment = `
+precision highp float;
+in vec3 seen, paint;
+out vec4 fragment;
+${light}
+void main() {
+  fragment = vec4(lit(paint, normalize(cross(dFdx(seen), dFdy(seen)))), 1.0);
+}`;
+
 // A spring is drawn as a flat strip between two beads. The strip faces the camera and is shaded as a cylinder.
 export const springVertex = `
 precision highp float;

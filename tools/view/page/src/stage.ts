@@ -3,6 +3,7 @@
 import * as three from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { cssVariable, type Colour } from "./colours";
+import { flowArrows } from "./flow";
 import type { Point } from "./motion";
 import { PageFault, type Scene } from "./scene";
 import { beadFragment, beadVertex, springFragment, springVertex } from "./shaders";
@@ -45,6 +46,7 @@ export class Stage {
   private readonly colours: three.InstancedBufferAttribute; // one per bead
   private readonly picked = { value: -1 };
   private readonly path: three.Line;
+  private readonly arrows: three.Mesh | null; // of the flow
   private readonly sceneSize: number; // length of the diagonal of boundary()
   private readonly triad: CanvasRenderingContext2D;
   private drawRequested = false;
@@ -66,6 +68,8 @@ export class Stage {
     this.addSwimmers();
     this.addBox();
     this.addWalls();
+    this.arrows = scene.flow && flowArrows(scene.flow);
+    if (this.arrows) this.world.add(this.arrows);
     this.path = new three.Line(new three.BufferGeometry(), new three.LineBasicMaterial({ color: 0xdb0080 }));
     this.path.frustumCulled = false;
     this.world.add(this.path);
@@ -112,6 +116,12 @@ export class Stage {
     this.camera.position.add(shift);
     this.controls.target.add(shift);
     this.setClipRange();
+    this.draw();
+  }
+
+  /** Shows or hides the arrows of the flow. */
+  showFlow(isShown: boolean): void {
+    if (this.arrows) this.arrows.visible = isShown;
     this.draw();
   }
 
@@ -231,13 +241,14 @@ export class Stage {
     }
   }
 
-  /** Returns the box, or the bounding box of the beads and the wall of a half-space. */
+  /** Returns the box, or the bounding box of the beads, the flow and the wall of a half-space. */
   private boundary(): three.Box3 {
-    const { box } = this.scene;
+    const { box, flow } = this.scene;
     const boundary = new three.Box3();
     if (box) return boundary.set(new three.Vector3(), new three.Vector3(box[0], box[1], box[2]));
     boundary.setFromArray(Array.from(this.positions));
     boundary.expandByScalar(2 * this.scene.radius.reduce((a, b) => Math.max(a, b), 0));
+    if (flow) boundary.union(new three.Box3().setFromArray(flow.places));
     for (const { axis, at } of this.scene.walls) boundary.min.setComponent(axis, at);
     return boundary;
   }
