@@ -16,7 +16,7 @@ if [ ! -e "$system/etc/debian_version" ]; then
     apt-get update -qq
     DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends mmdebstrap >&2
   fi
-  mmdebstrap --quiet --variant=minbase bookworm "$system" ${DEBIAN_MIRROR:+"$DEBIAN_MIRROR"}
+  mmdebstrap --quiet --variant=minbase --dpkgopt=force-unsafe-io bookworm "$system" ${DEBIAN_MIRROR:+"$DEBIAN_MIRROR"}
   cp -L /etc/resolv.conf /etc/hosts "$system/etc/"
   if [ -f "$HOME/.npmrc" ]; then cp "$HOME/.npmrc" "$system/root/"; fi
   if [ -f /etc/ssl/certs/ca-certificates.crt ]; then cp -L /etc/ssl/certs/ca-certificates.crt "$system$certificates"; fi
