@@ -425,9 +425,9 @@ for amplitude in 0.8 1.6 2; do
 done | beadswim-theory --jsonl - --method rpy-ode >large.jsonl
 check "strokes of 1.6 are best" holds -s 'map(.predictions[0].velocity_vector[0] | -.) | .[1] > 2 * .[0] and .[1] > .[2]' large.jsonl
 # The lattice moves hinges as unsteady does.
-beadswim-layout shape purcell-chain --box 72,56,40 --boundary periodic --radius 3 --arm 7.5 --beads-per-link 3 --rest-angle 0 --amplitude 0.6 --period 1200 >hinges.json
+beadswim-layout shape purcell-chain --box 72,56,40 --boundary periodic --radius 3 --arm 7.5 --beads-per-link 3 --rest-angle 0 --amplitude 0.6 --period 1200 >boxed.json
 for model in "unsteady --multipole-order 1" "lbm --cells-per-radius 3 --relaxation-time 1"; do
-  run beadswim-run hinges.json -o hinges.h5md --model $model --cycles 2 --progress none --no-provenance
+  run beadswim-run boxed.json -o boxed.h5md --model $model --cycles 2 --progress none --no-provenance
   has_status 0
   cp out "${model%% *}.json"
 done

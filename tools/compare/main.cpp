@@ -75,7 +75,6 @@ void add_flags(CLI::App& program, ComparisonRequest& request, std::string& cycle
     table->excludes(program.get_option(flag));
   set_footer(program,
              {"beadswim-compare run.json theory.json --method rpy-box-ode >verdict.json",
-              "beadswim-compare lbm.json run.json --quantity velocity --tolerance 0.5",
               "beadswim-compare run.h5md --table cycles.csv"},
              "reading-results.md");
 }

@@ -163,7 +163,8 @@ void add_flags(CLI::App& program, RunOptions& options) {
   add_outputs(program, options);
   set_footer(program,
              {"beadswim-run layout.json --model rpy -o run.h5md >run.json",
-              "mpirun -n 2 beadswim-run layout.json --cells-per-radius 2 --cycles 1 -o lbm.h5md >lbm.json"},
+              "mpirun -n 2 beadswim-run layout.json --cells-per-radius 2 --cycles 1 --flow-every 1 -o "
+              "lbm.h5md >lbm.json"},
              "choosing-a-model.md");
 }
 
