@@ -26,11 +26,7 @@ class Vti : public testing::Test {
       return plane;
     };
     const auto hidden = [](int z) { return std::vector<float>{0, 8, 0, 255, 0, static_cast<float>(z)}; };
-    write_vti(path(),
-              {.cells = {2, 3, 2},
-               .spacing = 0.1,
-               .origin = {-1e-7, 0, 1.0 / 3},
-               .numbers = {{vti_mean_cycles, 3}}},
+    write_vti(path(), {.cells = {2, 3, 2}, .spacing = 0.1, .origin = {-1e-7, 0, 1.0 / 3}, .mean_cycles = 3},
               {{.name = "velocity", .components = 3, .plane = velocity},
                {.name = vti_hiding_field, .is_small_integer = true, .plane = hidden}});
   }
@@ -65,7 +61,8 @@ TEST_F(Vti, IsReadAsItWasWritten) {
   EXPECT_TRUE((reader.cells().cells == Index3(2, 3, 2)).all());
   EXPECT_EQ(reader.cells().spacing, 0.1);
   EXPECT_EQ(reader.cells().origin, Vec3(-1e-7, 0, 1.0 / 3));
-  EXPECT_THAT(reader.cells().numbers, testing::ElementsAre(testing::Pair(vti_mean_cycles, 3)));
+  EXPECT_EQ(reader.cells().mean_cycles, 3);
+  EXPECT_EQ(reader.cells().frame_swimmer, std::nullopt);
   EXPECT_TRUE(reader.has("velocity") && !reader.has("pressure"));
   for (const int z : {1, 0}) {
     const std::vector<float> velocity = reader.plane("velocity", 3, z);

@@ -148,10 +148,9 @@ std::vector<BeadOutline> outlines(const FlowSource& source, const FlowPicture& p
 }
 
 std::string scene_text(const FlowSource& source, const FlowPicture& picture,
-                       const std::map<std::string, double>& numbers) {
+                       const std::optional<int>& frame_swimmer) {
   std::string text = fmt::format("Plane {} = {:g}", "xyz"[picture.across], picture.coordinate);
-  if (const auto found = numbers.find(vti_frame_swimmer); found != numbers.end())
-    text += fmt::format(" in the frame of swimmer {}", found->second);
+  if (frame_swimmer) text += fmt::format(" in the frame of swimmer {}", *frame_swimmer);
   if (!source.run) return text;
   const std::size_t swimmers = source.run->swimmers().size();
   return text + fmt::format("; {} swimmer{}, T = {:g}, {}", swimmers, swimmers == 1 ? "" : "s",
@@ -177,10 +176,11 @@ FlowPicture flow_figure(const std::vector<std::string>& inputs, const FlowFlags&
   const FlowSource source = is_trajectory(path) ? last_flow(path) : flow_file(path);
   const FlowField field(source.files);
   const FlowPlane plane = field.resolved(options.plane);
-  const std::map<std::string, double>& numbers = field.numbers();
-  const auto mean = numbers.find(vti_mean_cycles);
+  const std::optional<int>& mean_cycles = field.cells().mean_cycles;
+  const std::optional<int>& frame_swimmer = field.cells().frame_swimmer;
   FlowPicture picture{
-      .title = mean == numbers.end() ? "Flow" : fmt::format("Mean flow of {}", cycles_text({mean->second})),
+      .title = mean_cycles ? fmt::format("Mean flow of {}", cycles_text({static_cast<double>(*mean_cycles)}))
+                           : "Flow",
       .across = *plane.across,
       .coordinate = *plane.coordinate,
       .layers = field.layers(plane),
@@ -191,12 +191,12 @@ FlowPicture flow_figure(const std::vector<std::string>& inputs, const FlowFlags&
     picture.velocity_unit = velocity_unit(source.run->layout.units);
     if (source.time) {
       picture.title += fmt::format(" after {}", cycles_text({*source.time / source.run->period()}));
-      if (numbers.empty()) picture.beads = outlines(source, picture, field.extent());
+      if (!mean_cycles && !frame_swimmer) picture.beads = outlines(source, picture, field.extent());
     }
   }
   const auto has_covered = [](const FlowLayer& layer) { return std::ranges::max(layer.covered) >= 0.5; };
   picture.shows_covered_cells = picture.beads.empty() && std::ranges::any_of(picture.layers, has_covered);
-  picture.notes = {{.text = scene_text(source, picture, numbers)}, {.text = reading_text(picture)}};
+  picture.notes = {{.text = scene_text(source, picture, frame_swimmer)}, {.text = reading_text(picture)}};
   return picture;
 }
 

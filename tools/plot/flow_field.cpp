@@ -10,12 +10,8 @@
 namespace beadswim {
 namespace {
 
-Eigen::AlignedBox3d extent_of(const VtiCells& cells) {
-  return {cells.origin, cells.origin + cells.spacing * cells.cells.cast<double>().matrix()};
-}
-
 bool contains(const VtiReader& file, const FlowPlane& plane) {
-  const Eigen::AlignedBox3d extent = extent_of(file.cells());
+  const Eigen::AlignedBox3d extent = file.cells().extent();
   return *plane.coordinate >= extent.min()[*plane.across] && *plane.coordinate <= extent.max()[*plane.across];
 }
 
@@ -67,7 +63,7 @@ FlowLayer layer_of(const VtiReader& file, int across, double coordinate) {
 }  // namespace
 
 FlowField::FlowField(const std::vector<std::string>& paths) : source_(paths.front()) {
-  for (const std::string& path : paths) extent_.extend(extent_of(files_.emplace_back(path).cells()));
+  for (const std::string& path : paths) extent_.extend(files_.emplace_back(path).cells().extent());
 }
 
 FlowPlane FlowField::resolved(const FlowPlane& wanted) const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,8 +23,8 @@ class FlowField {
   explicit FlowField(const std::vector<std::string>& paths);
 
   const Eigen::AlignedBox3d& extent() const { return extent_; }
-  /// Returns the numbers of the whole file (vti.hpp): mean and frame of the flow.
-  const std::map<std::string, double>& numbers() const { return files_.front().cells().numbers; }
+  /// Returns the cells of the coarsest file, which also say whether the flow is a mean, and its frame.
+  const VtiCells& cells() const { return files_.front().cells(); }
 
   /// Returns the plane with both values set: by default across z, or across the axis along which the field
   /// has only one layer of cells, in the middle of the field. Throws InputError if the plane is not in the

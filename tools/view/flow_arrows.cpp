@@ -12,20 +12,18 @@ constexpr int max_arrows = 4000;       // more would hide one another
 constexpr float covered_share = 0.5F;  // share of time within beads from which a cell has no arrow
 
 void require_frame_of_box(const std::string& path, const VtiCells& cells) {
-  const auto swimmer = cells.numbers.find(vti_frame_swimmer);
-  if (swimmer == cells.numbers.end()) return;
+  if (!cells.frame_swimmer) return;
   throw InputError(
       path,
       "the flow is in the frame of swimmer {}, but the page shows the box; give a flow file of a "
       "run without --flow-frame",
-      swimmer->second);
+      *cells.frame_swimmer);
 }
 
 /// Throws InputError if the gap between the flow and the scene (the box, or the beads of the first frame) is
 /// more than ten times as wide as both together.
 void require_near(const std::string& path, const VtiCells& cells, const TrajectoryFile& run) {
-  const Eigen::AlignedBox3d flow(cells.origin,
-                                 cells.origin + cells.spacing * cells.cells.cast<double>().matrix());
+  const Eigen::AlignedBox3d flow = cells.extent();
   Eigen::AlignedBox3d scene;
   for (const Vec3& position : run.reader.frame(0).positions) scene.extend(position);
   if (const auto& box = run.layout.domain.box) scene = {Vec3::Zero(), box->lengths};
@@ -54,9 +52,7 @@ FlowArrows read_flow_arrows(const std::string& path, const TrajectoryFile& run) 
   require_near(path, grid, run);
   const int distance = arrow_distance(grid.cells);
   const Index3 first = (grid.cells - 1).unaryExpr([&](int last) { return last % distance / 2; });  // centred
-  FlowArrows arrows{.spacing = distance * grid.spacing};
-  if (const auto mean = grid.numbers.find(vti_mean_cycles); mean != grid.numbers.end())
-    arrows.mean_cycles = mean->second;
+  FlowArrows arrows{.spacing = distance * grid.spacing, .mean_cycles = grid.mean_cycles};
   for (int z = first[2]; z < grid.cells[2]; z += distance) {
     const std::vector<float> velocity = file.plane("velocity", 3, z), bead = file.plane("bead", 1, z);
     std::vector<float> hidden(bead.size(), 0);

@@ -11,7 +11,7 @@ namespace beadswim {
 /// Arrows of a flow file: cells on a regular subgrid, without those that lie in beads or are hidden.
 struct FlowArrows {
   double spacing = 1;                        ///< distance between neighbouring arrows along an axis [length]
-  std::optional<double> mean_cycles{};       ///< cycles of a mean; nullopt: the flow at one time
+  std::optional<int> mean_cycles{};          ///< cycles of a mean; nullopt: the flow at one time
   std::vector<Vec3> places{}, velocities{};  ///< centre of each cell [length], its flow [length/time]
 };
 

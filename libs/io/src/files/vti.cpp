@@ -56,11 +56,14 @@ void write_vti(const std::string& path, const VtiCells& grid, const std::vector<
   OpenFile file(std::fopen(part.c_str(), "wb"));
   if (!file) throw SolverError(fmt::format("{} cannot be created: {}", path, std::strerror(errno)));
   std::string numbers;
-  for (const auto& [name, value] : grid.numbers)
-    numbers += fmt::format(
-        "      <DataArray type=\"Float64\" Name=\"{}\" NumberOfTuples=\"1\" "
-        "format=\"ascii\">{}</DataArray>\n",
-        name, value);
+  const auto add_number = [&](const char* name, const std::optional<int>& value) {
+    if (value)
+      numbers += fmt::format(
+          "      <DataArray type=\"Float64\" Name=\"{}\" NumberOfTuples=\"1\" "
+          "format=\"ascii\">{}</DataArray>\n",
+          name, *value);
+  };
+  VtiCells::visit_numbers(add_number, grid);
   if (!numbers.empty()) numbers = "    <FieldData>\n" + numbers + "    </FieldData>\n";
   const std::string extent = fmt::format("0 {} 0 {} 0 {}", cells[0], cells[1], cells[2]);
   put(file.get(),

@@ -84,14 +84,14 @@ void VtiReader::read_cells(const std::string& header) {
   }
   if (cells > static_cast<double>(file_bytes_)) refuse("it is shorter than its cells need");
   cells_.spacing = edge;
-  for (const char* name : {vti_mean_cycles, vti_frame_swimmer}) {
+  const auto read_number = [&](const char* name, std::optional<int>& value) {
     const std::size_t tag = header.find(fmt::format(" Name=\"{}\"", name)), text = header.find('>', tag);
-    if (tag == std::string::npos) continue;
-    const std::vector<double> value =
-        numbers_in<double>(header.substr(text + 1, header.find('<', text) - text - 1));
-    if (value.size() != 1 || !std::isfinite(value[0])) refuse(fmt::format("its {} is not a number", name));
-    cells_.numbers[name] = value[0];
-  }
+    if (tag == std::string::npos) return;
+    const auto numbers = numbers_in<int>(header.substr(text + 1, header.find('<', text) - text - 1));
+    if (numbers.size() != 1) refuse(fmt::format("its {} is not a number", name));
+    value = numbers[0];
+  };
+  VtiCells::visit_numbers(read_number, cells_);
 }
 
 /// Reads the description of the field after `start`. Returns the end of the field in the file, or 0 if there

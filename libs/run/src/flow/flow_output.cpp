@@ -36,12 +36,20 @@ FlowState state_in(const std::vector<char>& bytes) {
   return state;
 }
 
-/// Returns a hash of the places of the flow: the swimmer of the frame and the points.
+/// Returns a hash of the places of the flow: the swimmer of the frame, and the cells or points.
 std::vector<char> hash_of_places(const FlowRequest& request) {
   Sha256 hash;
-  const int swimmer = request.swimmer.value_or(-1);
-  hash.update(std::as_bytes(std::span(&swimmer, 1)));
-  hash.update(std::as_bytes(std::span(request.points)));
+  const auto& [cells, spacing, origin, mean, swimmer] = request.cells;
+  const std::array<double, 8> grid{static_cast<double>(request.swimmer.value_or(-1)),
+                                   static_cast<double>(cells[0]),
+                                   static_cast<double>(cells[1]),
+                                   static_cast<double>(cells[2]),
+                                   spacing,
+                                   origin[0],
+                                   origin[1],
+                                   origin[2]};
+  hash.update(std::as_bytes(std::span(grid)));
+  if (!request.is_grid) hash.update(std::as_bytes(std::span(request.points)));
   const std::string text = hash.hexadecimal();
   return {text.begin(), text.end()};
 }

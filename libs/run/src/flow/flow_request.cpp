@@ -248,8 +248,8 @@ std::optional<FlowRequest> flow_request(const RunSettings& settings, const Layou
       settings.flow_region.empty() ? usual_region(request, layout) : parse_region(settings.flow_region);
   require_in_fluid(region, request, layout, Setting::flow_region);
   request.cells = cells_in(region, settings.flow_spacing.value_or(spacing));
-  if (request.mean_cycles) request.cells.numbers[vti_mean_cycles] = *request.mean_cycles;
-  if (request.swimmer) request.cells.numbers[vti_frame_swimmer] = *request.swimmer;
+  request.cells.mean_cycles = request.mean_cycles;
+  request.cells.frame_swimmer = request.swimmer;
   request.points = centres_of(request.cells);
   return request;
 }

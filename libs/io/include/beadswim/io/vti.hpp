@@ -1,8 +1,10 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,17 +27,20 @@ struct VtiField {
   std::function<std::vector<float>(int z)> plane;
 };
 
-/// Numbers of a whole file (field data): cycles over which the fields are averaged, and id of the swimmer in
-/// whose frame they are.
-inline constexpr const char* vti_mean_cycles = "mean_cycles";
-inline constexpr const char* vti_frame_swimmer = "frame_swimmer";
-
-/// Cells of a file: a box of cubes.
+/// Cells of a file, a box of cubes, and what is said of all its fields.
 struct VtiCells {
   Index3 cells = Index3::Zero();
   double spacing = 1;          ///< edge of a cell [length]
   Vec3 origin = Vec3::Zero();  ///< corner of the first cell [length]
-  std::map<std::string, double> numbers{};  ///< of the whole file
+  std::optional<int> mean_cycles{};    ///< cycles over which the fields are averaged; nullopt: one time
+  std::optional<int> frame_swimmer{};  ///< id of the swimmer in whose frame they are; nullopt: the box
+
+  Eigen::AlignedBox3d extent() const { return {origin, origin + spacing * cells.cast<double>().matrix()}; }
+  /// Visits the numbers that a file has as field data.
+  static void visit_numbers(auto&& visit, auto& cells) {
+    visit("mean_cycles", cells.mean_cycles);
+    visit("frame_swimmer", cells.frame_swimmer);
+  }
 };
 
 /// Name of the field that hides cells in ParaView, and its value for a hidden cell. It must consist of small
