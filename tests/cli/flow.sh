@@ -2,7 +2,6 @@
 # Tests the flow that runs of all models write: on grids, at points, averaged, in the frame of a swimmer.
 source "$(dirname "$0")/harness.sh"
 
-export PYTHONPATH=$BEADSWIM_SOURCE/tests/cli
 quiet=(--progress none --no-provenance)
 holds_for() { python3 -c "from flow_files import *; $1"; } # PYTHON statements, which fail by assert
 

@@ -2,8 +2,6 @@
 # Tests beadswim-plot flow: the figure must show the flow of the files, and the beads of the run, in their places.
 source "$(dirname "$0")/harness.sh"
 
-export PYTHONPATH=$BEADSWIM_SOURCE/tests/cli
-export PYTHONDONTWRITEBYTECODE=1
 holds() { # MESSAGE PYTHON   statements, which fail by assert
   check "$1" python3 -c "from flow_figures import *; $2"
 }

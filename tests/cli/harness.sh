@@ -32,6 +32,7 @@ this_script=$(realpath "$0")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
+export PYTHONPATH=$BEADSWIM_SOURCE/tests/cli PYTHONDONTWRITEBYTECODE=1 # flow_files.py and flow_figures.py, for every script
 
 passed() { checks=$((checks + 1)); }
 
