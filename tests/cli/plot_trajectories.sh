@@ -128,11 +128,11 @@ check 'a header with the unit' grep -qx 'swimmer,bead,x,y,z,radius,unit,"velocit
 check 'a colour bar' grep -q '>velocity (' values.svg
 refuses '--colour: cell.h5md states no velocity of a cycle that has ended at this frame; add the run record as a second file, or draw a later frame' \
   beadswim-plot swarm cell.h5md --colour velocity --frame 39
-refuses '--colour: cell.h5md states no power .* add the run record' beadswim-plot swarm cell.h5md --colour power
-accepts beadswim-plot swarm cell.h5md cell.record --colour power --data values.csv
-check 'the power of the record' test "$(sed -n 2p values.csv | cut -d, -f8)" = "$(jq '.swimmers[0].cycles[-1].power' cell.record)"
+refuses '--colour: cell.h5md states no efficiency .* add the run record' beadswim-plot swarm cell.h5md --colour efficiency
+accepts beadswim-plot swarm cell.h5md cell.record --colour efficiency --data values.csv
+check 'the efficiency of the record' test "$(sed -n 2p values.csv | cut -d, -f8)" = "$(jq '.swimmers[0].cycles[-1].efficiency' cell.record)"
 jq '.driving.period = 1' cell.record >other-cell.json
-refuses 'other-cell.json: this is not the record of the run whose trajectory is drawn' beadswim-plot swarm cell.h5md other-cell.json --colour power
+refuses 'other-cell.json: this is not the record of the run whose trajectory is drawn' beadswim-plot swarm cell.h5md other-cell.json --colour efficiency
 refuses '--colour: arm_phases has a value per arm' beadswim-plot swarm cell.h5md --colour arm_phases
 refuses '--colour: .* is a layout, which has no results' beadswim-plot swarm eight.json --colour velocity
 refuses '--colours: the flag cannot be combined with --colour;' beadswim-plot swarm cell.h5md --colour velocity --colours types

@@ -67,6 +67,17 @@ check 'a kept sum' holds -s 'map(.types.a.springs | [.[0].rest_length, .[1].rest
 beadswim-layout swimmer --preset paper-single --unbounded --period 4800 --stiffness 0.05 >kept.json
 accepts beadswim-layout vary kept.json --over period=2400,9600 --keep 'period*stiffness'
 check 'a kept product' holds -s 'map(.types.a | [.driving.period, .springs[0].stiffness]) == [[2400, 0.1], [9600, 0.025]]' out
+beadswim-layout swimmer --preset paper-single --unbounded --arm 16,24 --period 4800 >armed.json
+accepts beadswim-layout vary armed.json --over $s/0/rest_length=10,32 --keep "$s/0/rest_length:$s/1/rest_length"
+check 'a kept ratio' holds -s 'map(.types.a.springs | [.[0].rest_length, .[1].rest_length]) == [[10, 15], [32, 48]]' out
+refuses 'has the value 0' beadswim-layout vary kept.json --over period=0 --keep 'period*stiffness'
+accepts beadswim-layout vary armed.json --over arm=[14,26],[20]
+check 'lists of a flag' holds -s 'map(.types.a.springs | [.[0].rest_length, .[1].rest_length]) == [[14, 26], [20, 20]] and map(.study.arm) == ["14,26", "20"]' out
+accepts beadswim-layout vary armed.json --over /swimmers/0/position=[1,2,3],[4,5,6]
+check 'lists by a pointer' holds -s 'map(.swimmers[0].position) == [[1, 2, 3], [4, 5, 6]]' out
+refuses 'arm: \[1,2,3\]: the value must be 1 or 2 numbers' beadswim-layout vary armed.json --over arm=[1,2,3]
+refuses 'leads to a list or an object' beadswim-layout vary armed.json --over /swimmers/0/position=[1,2]
+refuses 'lists of numbers are written as' beadswim-layout vary armed.json --over arm=[1,2],[x]
 refuses 'none of "period" and "stiffness" is varied' beadswim-layout vary kept.json --over phase=1 --keep 'period*stiffness'
 refuses 'does not state one number for "stiffness"' beadswim-layout vary base.json --over period=1 --keep 'stiffness*period'
 accepts beadswim-layout vary base.json --over /swimmers/0/rotate/z=0,90deg

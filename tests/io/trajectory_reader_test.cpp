@@ -105,12 +105,14 @@ struct Cycle {
   Vec3 velocity = Vec3::Zero();
   std::array<double, 2> arms{};
   double energy = 0;
+  std::optional<Vec3> spin{};
 
   static void visit_fields(auto&& visit, auto& cycle) {
     visit("index", cycle.index, not_a_column);
     visit("velocity", cycle.velocity);
     visit("arms", cycle.arms);
     visit("energy", cycle.energy);
+    visit("spin", cycle.spin);
   }
 };
 
@@ -125,7 +127,8 @@ TEST(TrajectoryReader, ReadsWhatEachSwimmerDidInEachCycle) {
     const Communicator communicator(MPI_COMM_SELF);
     TrajectoryWriter writer(path, header, communicator);
     writer.append(frame_number(0));
-    const Cycle ended{.index = 9, .velocity = {1, 2, 3}, .arms = {7, 8}, .energy = 0.5};
+    const Cycle ended{
+        .index = 9, .velocity = {1, 2, 3}, .arms = {7, 8}, .energy = 0.5, .spin = Vec3(4, 5, 6)};
     writer.append(TrajectoryCycle{
         .step = 40, .time = 10, .columns = columns_of<Cycle>({record_of_nan<Cycle>(), ended})});
     writer.finish();
@@ -134,7 +137,7 @@ TEST(TrajectoryReader, ReadsWhatEachSwimmerDidInEachCycle) {
   ASSERT_EQ(cycles.size(), 1);
   EXPECT_EQ(cycles[0].step, 40);
   EXPECT_EQ(cycles[0].time, 10);
-  ASSERT_EQ(cycles[0].columns.size(), 3);
+  ASSERT_EQ(cycles[0].columns.size(), 4);
   EXPECT_EQ(cycles[0].columns[1].name, "arms");
   EXPECT_EQ(cycles[0].columns[1].numbers.size(), 4);
   const std::vector<Cycle> swimmers = records_of<Cycle>(cycles[0].columns, 2);
@@ -143,6 +146,8 @@ TEST(TrajectoryReader, ReadsWhatEachSwimmerDidInEachCycle) {
   EXPECT_EQ(swimmers[1].arms[1], 8);
   EXPECT_EQ(swimmers[1].energy, 0.5);
   EXPECT_EQ(swimmers[1].index, 0);
+  EXPECT_FALSE(swimmers[0].spin);
+  EXPECT_EQ(swimmers[1].spin, Vec3(4, 5, 6));
 }
 
 TEST(TrajectoryReader, GivesBackWhatWasWritten) {

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/scene/combine.hpp"
 #include "beadswim/tools/named_flags.hpp"

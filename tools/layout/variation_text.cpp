@@ -7,6 +7,7 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/tools/program.hpp"
 #include "made_layout.hpp"
 
@@ -59,6 +60,15 @@ std::vector<Json> range(const std::vector<std::string>& parts, const std::string
 }
 
 std::vector<Json> list(const std::string& text, const std::string& all) {
+  if (text.starts_with('[')) {
+    const Json lists = Json::parse("[" + text + "]", nullptr, false);
+    const auto is_list = [](const Json& value) {
+      return value.is_array() && std::ranges::all_of(value, [](const Json& x) { return x.is_number(); });
+    };
+    if (!lists.is_array() || !std::ranges::all_of(lists, is_list))
+      refuse(all, "lists of numbers are written as NAME=[X,Y],[X,Y],...");
+    return lists;
+  }
   std::vector<Json> values;
   for (const std::string& part : split_at_commas(text)) {
     if (part.empty()) refuse(all, "a value is missing; write NAME=VALUE,VALUE,...");
@@ -96,12 +106,13 @@ CoupledVariation parse_variation(const std::string& text) {
 }
 
 KeptRelation parse_relation(const std::string& text) {
-  const std::size_t sign = text.find_first_of("+*");
+  const std::size_t sign = text.find_first_of("+*:");
   if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
-    throw InputError("--keep", fmt::format("\"{}\": write A+B or A*B, with two names as in --over", text));
+    throw InputError("--keep",
+                     fmt::format("\"{}\": write A+B, A*B or A:B, with two names as in --over", text));
   return {.first = parameter_name(text.substr(0, sign), "--keep"),
           .second = parameter_name(text.substr(sign + 1), "--keep"),
-          .is_product = text[sign] == '*'};
+          .sign = text[sign]};
 }
 
 void require_equal_counts(const std::vector<Variation>& variations) {

@@ -11,17 +11,17 @@ struct CoupledVariation {
 };
 
 /// Parses NAMES=FROM:TO:COUNT, NAMES=FROM:TO:COUNT:log or NAMES=VALUE,VALUE,... with one name or several,
-/// joined by commas, those of opposite value after a minus sign. Throws InputError with the nearest name if
-/// one names no quantity.
+/// joined by commas, those of opposite value after a minus sign. A value of several numbers is [X,Y,...].
+/// Throws InputError with the nearest name if one names no quantity.
 CoupledVariation parse_variation(const std::string& text);
 
-/// Two quantities whose sum or product stays the same: when one of them varies, the other follows.
+/// Two quantities whose sum, product or ratio stays the same: when one of them varies, the other follows.
 struct KeptRelation {
   std::string first, second;
-  bool is_product = false;
+  char sign = '+';  ///< '+', '*' or ':'
 };
 
-/// Parses A+B or A*B.
+/// Parses A+B, A*B or A:B.
 KeptRelation parse_relation(const std::string& text);
 
 /// Throws InputError if the variations, which change together, have different numbers of values.

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "beadswim/core/error.hpp"
@@ -65,7 +66,7 @@ void add_others(StudyPoint& point, const std::vector<CoupledVariation>& variatio
   }
 }
 
-/// Adds the quantity that follows from A + B or A B of the layout and the varied quantity of the two.
+/// Adds the quantity that follows from A + B, A B or A/B of the layout and the varied quantity of the two.
 void add_kept(StudyPoint& point, const KeptRelation& relation, const VariedLayout& layout) {
   const auto find = [&point](const std::string& name) {
     return std::ranges::find(point, name, &StudyPoint::value_type::first);
@@ -79,13 +80,16 @@ void add_kept(StudyPoint& point, const KeptRelation& relation, const VariedLayou
                     &other = has_first ? relation.second : relation.first;
   const Json& value = find(varied)->second;
   const double a = layout.number(relation.first), b = layout.number(relation.second);
-  if (!value.is_number() || (relation.is_product && value == 0))
+  const double before = has_first ? a : b, number = value.is_number() ? value.get<double>() : NAN,
+               kept = relation.sign == '+'   ? a + b - number
+                      : relation.sign == '*' ? a * b / number
+                                             : number / before * (has_first ? b : a);
+  if (!std::isfinite(kept))
     throw InputError(
         "--keep",
         fmt::format("\"{}\" has the value {}, from which \"{}\" does not follow; give other numbers", varied,
                     value.dump(), other));
-  const double number = value.get<double>();
-  point.emplace_back(other, relation.is_product ? a * b / number : a + b - number);
+  point.emplace_back(other, kept);
 }
 
 /// Returns the layout with the values. Parameters of the command that made it make it anew, other quantities
@@ -153,13 +157,13 @@ Command add_vary_command(CLI::App& program) {
       "beadswim-run, beadswim-theory and the commands of beadswim-layout take such a stream.");
   add_layout_files(*command, flags->files);
   add_value(*command, "--over", flags->variations, {"NAME=FROM:TO:COUNT[:log]|NAME=V1,V2,..."},
-            "A flag of the command that made the layout, without --, or a JSON pointer, and its values. "
-            "NAME,-NAME: opposite values. Repeated: all combinations.")
+            "Flag of the command that made the layout, without --, or JSON pointer, and values. NAME,-NAME: "
+            "opposite values. [X,Y]: a list. Repeated: all combinations.")
       ->required()
       ->allow_extra_args(false);
-  add_value(
-      *command, "--keep", flags->relations, {"A+B|A*B"},
-      "Two numbers whose sum or product stays as in the layout: one of them is varied, the other follows")
+  add_value(*command, "--keep", flags->relations, {"A+B|A*B|A:B"},
+            "Two numbers whose sum, product or ratio stays as in the layout: one of them is varied, the "
+            "other follows")
       ->allow_extra_args(false);
   command->add_flag("--together", flags->together,
                     "Change all quantities in step, instead of writing all combinations.");

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/tools/program.hpp"
 

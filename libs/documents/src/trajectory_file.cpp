@@ -148,6 +148,7 @@ RunRecord run_of_trajectory(const std::string& path) {
       CycleStatistics& cycle = swimmer.cycles.emplace_back(statistics[s]);
       cycle.index = index;
       cycle.speed_along_axis = cycle.velocity.dot(cycle.axis);
+      if (cycle.dipole) cycle.dipole = dipole_in_frame(matrix_of(cycle.dipole->tensor));
       for (auto* arms : {&cycle.arm_amplitudes, &cycle.arm_phases, &cycle.arm_means})
         arms->resize(file.type(s).bonds.size());
     }

@@ -89,7 +89,11 @@ const std::vector<NamedQuantity>& named_quantities() {
       {"viscosity", "Fluid and box", "Kinematic viscosity nu of the fluid [length^2/time]", "NU", 1, positive,
        &Fluid::kinematic_viscosity},
       {"density", "Fluid and box", "Mass density of the fluid [mass/length^3]", "RHO", 1, positive,
-       &Fluid::density, "1"}};
+       &Fluid::density, "1"},
+      {"thermal-energy", "Fluid and box",
+       "Thermal energy kT of the fluid, whose noise moves beads in mobility models; 0: no noise [mass "
+       "length^2/time^2]",
+       "KT", 1, non_negative, &Fluid::thermal_energy, "0"}};
   return quantities;
 }
 
@@ -127,6 +131,14 @@ void set_quantities(Layout& layout, const QuantityValues& values, const std::str
 }
 
 std::string value_fault(const NamedQuantity& quantity, const Json& value) {
+  if (value.is_array()) {
+    if (value.size() != 1 && value.size() != quantity.count)
+      return fmt::format("{}: the value must be {} numbers", value.dump(),
+                         quantity.count == 1 ? "1" : fmt::format("1 or {}", quantity.count));
+    for (const Json& each : value)
+      if (const std::string fault = value_fault(quantity, each); !fault.empty()) return fault;
+    return "";
+  }
   const std::string text =
       value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
   if (quantity.range == frame)

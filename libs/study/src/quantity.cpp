@@ -10,6 +10,7 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/scene/combine.hpp"
@@ -32,8 +33,9 @@ std::vector<std::string> steps_of(const std::string& pointer) {
 
 /// Returns the place to which a JSON pointer leads. Adds the keys that objects lack, whose names the reader
 /// of layouts checks; a new value is null. Throws InputError if the pointer leads to an entry that a list
-/// lacks, or to a list or an object.
-Json& value_at(Json& layout, const std::string& pointer, const std::string& source, const std::string& flag) {
+/// lacks, or to a list or an object that the value, if it is a list, is not as long as.
+Json& value_at(Json& layout, const std::string& pointer, const Json& value, const std::string& source,
+               const std::string& flag) {
   Json* place = &layout;
   std::string done;
   for (const std::string& step : steps_of(pointer)) {
@@ -54,9 +56,9 @@ Json& value_at(Json& layout, const std::string& pointer, const std::string& sour
     }
     done += "/" + step;
   }
-  if (place->is_structured())
+  if (place->is_structured() && !(place->is_array() && value.is_array() && place->size() == value.size()))
     throw InputError(flag, fmt::format("\"{}\" leads to a list or an object; add the steps to one number or "
-                                       "word in it",
+                                       "word in it, or give lists of the same length",
                                        pointer));
   return *place;
 }
@@ -113,6 +115,12 @@ void turn_named(Layout& layout, const std::string& name, const Json& angle, cons
       Eigen::Quaterniond(Eigen::AngleAxisd(angle.get<double>(), Vec3::Unit(static_cast<int>(axis)))));
 }
 
+/// Returns the value as a user writes it: a word, a number or numbers joined by commas.
+std::string text_of(const Json& value) {
+  if (value.is_array()) return joined(value.get<std::vector<double>>(), ",");
+  return value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
+}
+
 /// Returns the layout with the values in its types and its fluid. The swimmers keep the drivings of their
 /// own.
 Json with_named_values(const LayoutDocument& document, const QuantityValues& values,
@@ -155,15 +163,13 @@ LayoutDocument with_values(const Json& layout, const StudyPoint& point, const st
   std::string values;
   for (const StudyPoint* values_of : {&point, &present})
     for (const auto& [name, value] : *values_of)
-      values +=
-          fmt::format("{}{}={}", values.empty() ? "" : ", ", name,
-                      value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>()));
+      values += fmt::format("{}{}={}", values.empty() ? "" : ", ", name, text_of(value));
   for (const auto& [name, value] : point) {
     if (is_turn(name)) {
       turns.emplace_back(name, value);
     } else if (is_pointer(name)) {
       add_left_out(json, name);
-      Json& place = value_at(json, name, source, flag);
+      Json& place = value_at(json, name, value, source, flag);
       const bool is_whole = (place.is_null() || place.is_number_integer()) && value.is_number() &&
                             std::trunc(value.get<double>()) == value.get<double>() &&
                             std::abs(value.get<double>()) < 1e15;
@@ -189,7 +195,7 @@ LayoutDocument with_values(const Json& layout, const StudyPoint& point, const st
                          fmt::format("the layout belongs to a study of \"{}\" already; vary something "
                                      "else, or start from a layout without \"study\"",
                                      name));
-      document.study[name] = value;
+      document.study[name] = value.is_array() ? Json(text_of(value)) : value;
     }
   }
   return document;

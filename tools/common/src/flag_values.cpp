@@ -132,13 +132,6 @@ CLI::Validator one_of(std::vector<std::string> words) {
   return CLI::Validator(fault, "");
 }
 
-std::vector<std::string> split_at(char separator, const std::string& text) {
-  std::vector<std::string> parts;
-  for (const auto& part : std::views::split(text, separator)) parts.emplace_back(part.begin(), part.end());
-  if (text.empty()) parts.emplace_back();
-  return parts;
-}
-
 std::vector<std::string> split_at_commas(const std::string& text) {
   return split_at(',', text);
 }

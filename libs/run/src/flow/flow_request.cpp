@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/joined.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
@@ -21,15 +22,6 @@ using Region = Eigen::AlignedBox3d;
 
 /// Largest number of places. Places, velocities and sums of a mean then need some 10 GB.
 constexpr double max_places = 1e8;
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t end = 0; end != text.npos; text.remove_prefix(end == text.npos ? 0 : end + 1)) {
-    end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-  }
-  return parts;
-}
 
 /// Returns the finite number that the text is, up to spaces around it; nullopt if it is none.
 std::optional<double> number_in(std::string_view text) {
@@ -44,9 +36,9 @@ std::optional<double> number_in(std::string_view text) {
 
 Region parse_region(const std::string& text) {
   Region region;
-  const auto axes = split(text, ',');
+  const auto axes = split_at(',', text);
   for (std::size_t a = 0; a < axes.size(); ++a) {
-    const auto ends = split(axes[a], ':');
+    const auto ends = split_at(':', axes[a]);
     const auto low = number_in(ends.front()), high = number_in(ends.back());
     if (axes.size() != 3 || ends.size() != 2 || !low || !high || *low > *high)
       throw InputError(Setting::flow_region,
@@ -141,10 +133,10 @@ std::vector<Vec3> read_points(const std::string& path) {
   std::vector<Vec3> points;
   std::array<std::size_t, 3> column{};
   std::size_t line_number = 0;
-  for (std::string_view line : split(text, '\n')) {
+  for (std::string& line : split_at('\n', text)) {
     ++line_number;
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    const auto values = split(line, ',');
+    if (line.ends_with('\r')) line.pop_back();
+    const auto values = split_at(',', line);
     if (line_number == 1) {
       for (int a = 0; a < 3; ++a) {
         const auto name = std::ranges::find(values, std::string_view("xyz").substr(a, 1));
@@ -177,7 +169,7 @@ struct FrameName {
 };
 
 FrameName parse_frame(const std::string& frame) {
-  const auto parts = split(frame, ':');
+  const auto parts = split_at(':', frame);
   FrameName name{.is_swimmer = parts[0] == "swimmer"};
   if (parts.size() == 2) name.id = number_in(parts[1]);
   const bool is_whole = name.is_swimmer && (parts.size() == 1 || (parts.size() == 2 && name.id));

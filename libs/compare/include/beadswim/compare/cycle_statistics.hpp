@@ -62,10 +62,9 @@ struct CycleStatistics {
   std::optional<ForceDipole> dipole;   ///< mean_dipole(); nullopt if unknown
 
   BEADSWIM_FIELDS((index, not_a_column), velocity, axis, (speed_along_axis, not_a_column), mean_flow,
-                  (orientation, omitted_if_none, not_a_column),
-                  (angular_velocity, omitted_if_none, not_a_column), arm_amplitudes, arm_phases, arm_means,
-                  (power, omitted_if_none, not_a_column), (efficiency, omitted_if_none, not_a_column),
-                  (dipole, omitted_if_none, not_a_column))
+                  (orientation, omitted_if_none), (angular_velocity, omitted_if_none), arm_amplitudes,
+                  arm_phases, arm_means, (power, omitted_if_none),
+                  (efficiency, omitted_if_none, not_a_column), (dipole, omitted_if_none))
 };
 
 /// Returns the vector along a bond [length], from its first to its second bead.

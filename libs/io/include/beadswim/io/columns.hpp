@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <limits>
 #include <span>
@@ -14,8 +15,9 @@
 #include "beadswim/core/vec3.hpp"
 
 // Conversion between records (structs that list their fields, core/fields.hpp) and columns of
-// numbers. A field that becomes a column is a double, a Vec3, or an array or a vector of doubles. Other
-// fields must have the mark not_a_column. Vectors may have different lengths in different records: the
+// numbers. A field that becomes a column is a double, a Vec3, an array or a vector of doubles, or has data()
+// and size() as they have, or is an optional one of these, which without a value is NaN. Other fields must
+// have the mark not_a_column. Vectors may have different lengths in different records: the
 // columns are as wide as those of an example, and NaN stands where a record has no number.
 
 namespace beadswim {
@@ -27,8 +29,13 @@ struct Column {
   std::vector<double> numbers;  ///< values of all components of record 0, then of record 1, ...
 };
 
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
 std::span<double> numbers_of(auto& field) {
-  if constexpr (requires { field.data(); }) {
+  if constexpr (requires { field.has_value(); }) {
+    if (!field) std::ranges::fill(numbers_of(field.emplace()), no_number);
+    return numbers_of(*field);
+  } else if constexpr (requires { field.data(); }) {
     return {field.data(), static_cast<std::size_t>(field.size())};
   } else {
     return {&field, 1};
@@ -72,8 +79,7 @@ std::vector<Column> columns_of(std::vector<Record> records, Record example = {})
     visit_columns(columns, record, [](Column& column, std::span<double> numbers) {
       const std::size_t width = column.shape.empty() ? 1 : column.shape[0];
       column.numbers.insert(column.numbers.end(), numbers.begin(), numbers.end());
-      column.numbers.resize(column.numbers.size() + width - numbers.size(),
-                            std::numeric_limits<double>::quiet_NaN());
+      column.numbers.resize(column.numbers.size() + width - numbers.size(), no_number);
     });
   return columns;
 }
@@ -90,6 +96,8 @@ std::vector<Record> records_of(const std::vector<Column>& columns, std::size_t c
           if constexpr (std::same_as<Field, std::vector<double>>) field.resize(column->shape[0]);
           const std::span<double> numbers = numbers_of(field);
           std::copy_n(column->numbers.begin() + i * numbers.size(), numbers.size(), numbers.begin());
+          if constexpr (requires { field.reset(); })
+            if (std::ranges::all_of(numbers, [](double x) { return std::isnan(x); })) field.reset();
           ++column;
         },
         records[i]);
@@ -101,11 +109,7 @@ std::vector<Record> records_of(const std::vector<Column>& columns, std::size_t c
 template <HasFields Record>
 Record record_of_nan() {
   Record record;
-  visit_columns(
-      [](const char*, auto& field) {
-        std::ranges::fill(numbers_of(field), std::numeric_limits<double>::quiet_NaN());
-      },
-      record);
+  visit_columns([](const char*, auto& field) { std::ranges::fill(numbers_of(field), no_number); }, record);
   return record;
 }
 

@@ -28,6 +28,9 @@ struct ForceDipole {
   double axial = 0;  ///< p along the axis; positive for a pusher, negative for a puller
   SymmetricTensor tensor{};
 
+  double* data() { return tensor.data(); }  ///< axial follows from the tensor: dipole_in_frame()
+  std::size_t size() const { return tensor.size(); }
+
   BEADSWIM_FIELDS(axial, tensor)
 };
 

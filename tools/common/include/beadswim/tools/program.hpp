@@ -76,8 +76,7 @@ CLI::Validator one_of(std::vector<std::string> words);
 /// numbers of values; if empty, every number is allowed. `each`: validator of one value.
 CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each);
 
-/// Returns the parts of a text between its separators. An empty text has one part, which is empty.
-std::vector<std::string> split_at(char separator, const std::string& text);
+/// Returns the parts of a text between its commas.
 std::vector<std::string> split_at_commas(const std::string& text);
 
 /// Return the numbers in a text of numbers joined by commas. The validator number_list() must have accepted
