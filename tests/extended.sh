@@ -47,6 +47,7 @@ build sanitize unit_tests beadswim-layout beadswim-run beadswim-theory
 long=FluidMemoryTest.ConvergesToExactMultipolesOfTwoSpheres:NearField.IsSymmetricAndPositiveDefinite
 long=$long:NearField.KeepsTheNetForceAndUniformFlow:NearField.TurnsAndMovesWithTheSwimmers
 long=$long:OverdampedSwimmer.SwimsAsExactStokesFlowSaysWithNearFields:OverdampedSwimmer.SwimsAsHarmonicBalanceSaysInOpenSpace
+long=$long:MobilityRoot.GivesVelocitiesWhoseCovarianceIsTheMobility:Diffusion.IsThatOfARandomWalkWithItsError
 GTEST_FILTER=-$long \
   timeout 2000 ctest --preset sanitize --label-regex unit
 

@@ -36,6 +36,11 @@ run mpirun -n 2 beadswim-bench --json --beads 150 --rounds 1 --tolerance 1e-3 --
 has_status 0
 check "a fluid with inertia has a mesh and ends of steps" \
   holds '.mobility_products | length == 2 and all(.[]; .surroundings == "periodic" and .mesh_seconds > 0 and .end_of_step_seconds > 0)' out
+run mpirun -n 2 beadswim-bench --json --beads 150 --rounds 1 --tolerance 1e-3 --noise
+has_status 0
+check "noise takes time" holds '.mobility_products | length == 4 and all(.[]; .noise_seconds > 0)' out
+valid bench out
+refuses '--noise' beadswim-bench --beads 150 --unsteady --noise
 refuses '^beadswim-bench: --unsteady: ' beadswim-bench --unsteady
 refuses '^beadswim-bench: --multipole-order: ' beadswim-bench --beads 90 --multipole-order 3
 run mpirun -n 2 beadswim-bench --json --beads 90,1500 --rounds 1 --tolerance 1e-3

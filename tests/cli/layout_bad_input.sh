@@ -52,7 +52,8 @@ bad 'an imposed flow' 's/"fluid": {/"shear": { "rate": 1 }, &/' '/shear: imposed
 bad 'a sheared fluid' 's/"kinematic_viscosity"/"velocity_gradient": [0, 1, 0], &/' '/fluid/velocity_gradient: imposed flow has other keys'
 bad 'a prescribed stroke' 's/"frame": "lab"/&, "stroke": {}/' '/types/a/driving/stroke: version 1 of the layout has no prescribed stroke: .*amplitude, phase, period'
 bad 'a prescribed arm' 's/"frame": "lab"/&, "rest_length": [20, 21]/' '/types/a/driving/rest_length: version 1 of the layout has no prescribed stroke: .*shape prescribed-three-bead'
-bad 'a swimmer at a temperature' 's/"id": 0/&, "temperature": 300/' '/swimmers/0/temperature: this version has neither gravity nor thermal noise; .*net_force'
+bad 'a swimmer at a temperature' 's/"id": 0/&, "temperature": 300/' '/swimmers/0/temperature: thermal noise has the key "thermal_energy" of "fluid"'
+bad 'a weight' 's/"id": 0/&, "gravity": 1/' '/swimmers/0/gravity: this version has no gravity; .*net_force'
 bad 'unknown type' 's/"type": "a"/"type": "b"/' '/swimmers/0/type: the swimmer type "b" is not defined under /types\.'
 bad 'id given twice' "s/$swimmer/$swimmer, { \"id\": 0, \"type\": \"a\", \"position\": [36, 25, 15], \"axis\": [1, 0, 0] }/" \
   '/swimmers/1/id: the id 0 is already used by /swimmers/0'

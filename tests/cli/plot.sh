@@ -9,9 +9,9 @@ has_numbers() { # NUMBER FIGURE...   how many points the figure of these argumen
 }
 
 # --- what it says of itself
-kinds='stroke velocity-against-period against separation speed-against-error trajectories swarm flow swimmer mobility-products'
+kinds='stroke velocity-against-period against separation speed-against-error trajectories msd swarm flow swimmer mobility-products'
 accepts beadswim-plot --help
-check 'a kind is not listed with one line' test "$(sed -n '/^Subcommands:/,/^$/p' out | grep -vc '^$')" -eq 21
+check 'a kind is not listed with one line' test "$(sed -n '/^Subcommands:/,/^$/p' out | grep -vc '^$')" -eq 23
 has_flags() { # KIND FLAG...   these alone, beside those of all kinds
   accepts beadswim-plot "$1" --help
   check "$1 has other flags" test "$(grep -oE '^  (-[a-z],)?--[a-z-]+' out | xargs)" = "$(echo -h,--help -o,--output "${@:2}")"
@@ -19,7 +19,8 @@ has_flags() { # KIND FLAG...   these alone, beside those of all kinds
 for kind in $kinds; do out_has "^  $kind$"; done
 has_flags stroke --data --method --cycle --against --bonds
 has_flags velocity-against-period --data --method --cycle --relative-to --axes
-has_flags against --data --x --y --colour --x-label --group-by --log --method --cycle
+has_flags against --data --x --y --colour --x-label --group-by --mean-over --log --method --cycle
+has_flags msd --data --method
 has_flags separation --data --method --cycle --relative-to --axes
 has_flags speed-against-error --data --method --cycle --reference --quantity
 has_flags trajectories --data --swimmers --beads --along --against

@@ -47,7 +47,8 @@ std::vector<double> numbers(const Results& results, ResultQuantity quantity) {
 
 TEST(ResultsOfARun, AreThoseOfItsCycle) {
   const Results results = results_of(some_run(), {});
-  EXPECT_EQ(results.size(), result_rows.size());
+  constexpr std::size_t of_noise = 3;
+  EXPECT_EQ(results.size(), result_rows.size() - of_noise);
   EXPECT_DOUBLE_EQ(numbers(results, ResultQuantity::velocity)[0], 0.6 * 5 + 0.8 * 2);
   EXPECT_EQ(results.at(ResultQuantity::velocity).vector, Vec3(5, 2, 1));
   EXPECT_EQ(numbers(results, ResultQuantity::velocity_z), std::vector{1.0});
@@ -61,6 +62,36 @@ TEST(ResultsOfARun, AreThoseOfItsCycle) {
   EXPECT_DOUBLE_EQ(numbers(results, ResultQuantity::sin_phase_shift)[0], std::sin(1.5));
   EXPECT_EQ(numbers(results, ResultQuantity::gap), std::vector{20.0 - 6 - 8});
   EXPECT_EQ(numbers(results, ResultQuantity::dipole), std::vector{-7.0});
+}
+
+// Noise in phase turns the arm's complex amplitude, whose mean is shorter: here 4 cos(0.1). The first cycle
+// is a transient.
+TEST(ResultsOfARun, AreMeansWithStandardErrorsIfItHasNoise) {
+  RunRecord run = some_run();
+  run.scene->fluid.thermal_energy = 0.1;
+  run.thermal =
+      ThermalRecord{.lag = 100,
+                    .effective_diffusion = MeanAndError<double>{.mean = 3, .standard_error = 0.3},
+                    .rotational_diffusion = MeanAndError<double>{.mean = 0.05, .standard_error = 0.01},
+                    .persistence_time = MeanAndError<double>{.mean = 10, .standard_error = 2}};
+  std::vector<CycleStatistics>& cycles = run.swimmers[0].cycles;
+  cycles.push_back(cycles.back());
+  cycles[1].arm_phases[0] = 2.1;
+  cycles[2].arm_phases[0] = 1.9;
+  cycles[2].velocity = Vec3(7, 2, 1);
+  cycles[2].index = 3;
+  const Results results = results_of(run, {});
+  EXPECT_NEAR(numbers(results, ResultQuantity::arm_amplitudes)[0], 4 * std::cos(0.1), 1e-12);
+  EXPECT_NEAR(numbers(results, ResultQuantity::arm_phases)[0], 2.0, 1e-12);
+  const ResultValue& velocity = results.at(ResultQuantity::velocity);
+  EXPECT_DOUBLE_EQ(velocity.numbers[0], (0.6 * 5 + 0.6 * 7) / 2 + 0.8 * 2);
+  EXPECT_NEAR(velocity.error(0), 0.6, 1e-12);  // half the difference of two cycles
+  EXPECT_FALSE(velocity.vector);
+  EXPECT_TRUE(velocity.is_mean);
+  EXPECT_NEAR(results.at(ResultQuantity::effective_diffusion).error(0), 0.3, 1e-12);
+  EXPECT_GT(numbers(results, ResultQuantity::peclet)[0], 0);
+  run.thermal->lag = 40;  // too short to contain the motion along the axis
+  EXPECT_FALSE(results_of(run, {}).contains(ResultQuantity::effective_diffusion));
 }
 
 TEST(ResultsOfARun, AreMeansOfTheChosenCycles) {

@@ -118,7 +118,7 @@ TEST(FlowAtPoints, IsTheDirectPeriodicSumInBoxes) {
       const Box box{.lengths = Vec3(13, 12, 14), .boundary = {boundary, Boundary::periodic, boundary}};
       Swarm spheres = swarm(2, 6);
       MobilityScene scene = scene_of(model, 0, 1e-9);
-      scene.box = box;
+      scene.domain.box = box;
       const Applied in_box = applied(scene, spheres);
       const std::vector<Vec3> points = random_points(2, 12, Vec3::Zero(), box.lengths);
       const FlowAtPoints flow = in_box.flow_at(points);
@@ -163,7 +163,7 @@ TEST(FlowAtPoints, OfTheMeshIsTheDirectSum) {
   for (int order = 0; order <= 2; ++order) {
     MobilityScene scene = scene_of(MobilityModel::multipole, order, tolerance);
     EXPECT_LT(mesh_error(scene, swarm(4, 4), low, high), 3 * tolerance) << order;
-    scene.half_space = HalfSpace{};
+    scene.domain.half_space = HalfSpace{};
     EXPECT_LT(mesh_error(scene, swarm(4, 4), low, high), 3 * tolerance) << order << " over a wall";
   }
 }
@@ -171,7 +171,7 @@ TEST(FlowAtPoints, OfTheMeshIsTheDirectSum) {
 TEST(FlowAtPoints, VanishesOnTheNoSlipWall) {
   for (int order = 0; order <= 2; ++order) {
     MobilityScene scene = scene_of(MobilityModel::multipole, order, 1e-6);
-    scene.half_space = HalfSpace{};
+    scene.domain.half_space = HalfSpace{};
     const Applied over_wall = applied(scene, pulled);
     std::vector<Vec3> points = random_points(5, 30, Vec3(-3, -3, 0), Vec3(3, 3, 0));
     for (const Vec3& velocity : over_wall.flow_at(points).velocities) EXPECT_LT(velocity.norm(), 1e-12);
@@ -188,7 +188,7 @@ TEST(FlowAtPoints, AverageOverASurfaceIsTheVelocityOfTheSphere) {
   for (int order = 0; order <= 2; ++order) {
     for (const bool has_wall : {false, true}) {
       MobilityScene scene = scene_of(MobilityModel::multipole, order, 1e-10);
-      if (has_wall) scene.half_space = HalfSpace{};
+      if (has_wall) scene.domain.half_space = HalfSpace{};
       if (!has_wall) scene.flow.velocity_gradient(0, 2) = 0.3;
       const Applied product = applied(scene, two);
       std::vector<Vec3> points;

@@ -39,7 +39,7 @@ struct Spheres {
   MobilityScene scene(double step, double density = 1) const {
     return {.model = MobilityModel::unsteady,
             .viscosity = 1,
-            .box = Box{{edge, edge, edge}, {}},
+            .domain = {.box = Box{{edge, edge, edge}, {}}},
             .radii = radii,
             .tolerance = 1e-5,
             .moment_order = order,
@@ -82,7 +82,7 @@ Spheres lone_sphere(double edge, double depth_ratio) {
 Complex exact_velocity(double edge, double omega, const Communicator& world) {
   const MobilityScene scene{.model = MobilityModel::rpy,
                             .viscosity = 1,
-                            .box = Box{{edge, edge, edge}, {}},
+                            .domain = {.box = Box{{edge, edge, edge}, {}}},
                             .radii = {1},
                             .tolerance = 1e-8};
   const std::vector<Vec3> place{{0, 0, 0}}, force{{1, 0, 0}};
@@ -261,8 +261,8 @@ TEST_F(FluidMemoryTest, OfAWallIsThatOfTheMirrorImages) {
       whole.radii.push_back(half.radii[b]);
     }
     MobilityScene walled = half.scene(0.2), periodic = whole.scene(0.2);
-    walled.box = Box{{10, 10, 10}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
-    periodic.box = Box{{10, 20, 10}, {}};
+    walled.domain.box = Box{{10, 10, 10}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
+    periodic.domain.box = Box{{10, 20, 10}, {}};
     for (MobilityScene* scene : {&walled, &periodic}) scene->memory->has_reynolds_stress = true;
     Mobility in_half(walled, half.places, world), in_whole(periodic, whole.places, world);
     in_half.start(half.forces_times(0));
@@ -402,7 +402,7 @@ TEST_F(FluidMemoryTest, HasAPositiveDefiniteMobilityOfBeadsInContact) {
 TEST_F(FluidMemoryTest, NeedsABox) {
   Spheres s = lone_sphere(10, 0.5);
   MobilityScene scene = s.scene(0.1);
-  scene.box.reset();
+  scene.domain.box.reset();
   EXPECT_THROW(Mobility(scene, s.places, world), InputError);
 }
 

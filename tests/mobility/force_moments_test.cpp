@@ -46,7 +46,7 @@ Eigen::MatrixXd surface_matrix(int order, const SpherePair& pair, int heights) {
 MobilityScene scene_of(int order, const std::vector<double>& radii, double tolerance) {
   return {.model = MobilityModel::multipole,
           .viscosity = viscosity,
-          .box = {},
+          .domain = {},
           .radii = radii,
           .tolerance = tolerance,
           .moment_order = order};
@@ -163,7 +163,7 @@ TEST_P(MomentOrder, FlowInABoxIsTheDirectSum) {
     for (const double tolerance : {1e-3, 1e-5, 1e-6}) {
       const MobilityScene scene{.model = MobilityModel::multipole,
                                 .viscosity = viscosity,
-                                .box = box,
+                                .domain = {.box = box},
                                 .radii = radii,
                                 .tolerance = tolerance,
                                 .moment_order = order};
@@ -265,7 +265,7 @@ TEST_P(MomentOrder, ProductsOfUnusualInputEnd) {
   for (const bool is_periodic : {false, true}) {
     direct::Spheres spheres = random_spheres(1000, 90);
     MobilityScene scene = scene_of(GetParam(), spheres.radii, 1e-4);
-    if (is_periodic) scene.box = Box{{90, 90, 90}, {}};
+    if (is_periodic) scene.domain.box = Box{{90, 90, 90}, {}};
     Mobility mobility(scene, spheres.places, world);
     direct::Vectors velocities(spheres.places.size()), again = velocities;
     EXPECT_GT(mobility.apply(spheres.forces, velocities).iterations, 1);
@@ -350,7 +350,7 @@ TEST(MultipoleProduct, TendsToTheDragOfACubicArray) {
     for (int order = 0; order <= 2; ++order) {
       MobilityScene scene = scene_of(order, {1}, 1e-8);
       const double edge = std::cbrt(4 * pi / 3 / fraction);
-      scene.box = Box{{edge, edge, edge}, {}};
+      scene.domain.box = Box{{edge, edge, edge}, {}};
       const direct::Vectors v = velocities(scene, {{0.3, 0.1, 0.2}}, {Eigen::Vector3d::UnitX()});
       errors[order] = std::abs(1 / (6 * pi * viscosity * v[0][0]) / drag - 1);
     }

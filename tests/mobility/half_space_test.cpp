@@ -29,11 +29,10 @@ struct Spheres {
 MobilityScene over_wall(MobilityModel model, const Spheres& spheres, int order = 0, int axis = 2) {
   return {.model = model,
           .viscosity = viscosity,
-          .box = {},
+          .domain = {.box = {}, .half_space = HalfSpace{axis}},
           .radii = spheres.radii,
           .tolerance = 1e-12,
-          .moment_order = order,
-          .half_space = HalfSpace{axis}};
+          .moment_order = order};
 }
 
 std::vector<Vec3> velocities(const MobilityScene& scene, const Spheres& spheres,
@@ -390,7 +389,7 @@ TEST(HalfSpace, ManySpheresHighAboveTheWallNeedNoLargeMesh) {
   EXPECT_FALSE(product.plan()->has_mirror_points);
   const std::vector<double> moments = random_moments(0, spheres);
   const std::vector<double> found = projections(scene, spheres, moments);
-  scene.half_space.reset();
+  scene.domain.half_space.reset();
   const std::vector<double> open = projections(scene, spheres, moments);
   const double stokes = 1 / (6 * pi * viscosity);
   for (int k = 0; k < 3 * count; ++k) ASSERT_NEAR(found[k], open[k], 1e-3 * stokes);
@@ -432,7 +431,7 @@ TEST(BackgroundFlow, FreePairsMoveAsByBatchelorAndGreen) {
   for (int order = 0; order <= 2; ++order) {
     const MobilityScene scene{.model = MobilityModel::multipole,
                               .viscosity = viscosity,
-                              .box = {},
+                              .domain = {},
                               .radii = spheres.radii,
                               .tolerance = 1e-12,
                               .moment_order = order,
@@ -452,9 +451,9 @@ TEST(BackgroundFlow, ABoxIsRefused) {
   const Communicator self(MPI_COMM_SELF);
   const Spheres sphere{.radii = {1}, .places = {{4, 4, 4}}};
   MobilityScene scene = over_wall(MobilityModel::rpy, sphere);
-  scene.box = Box{.lengths = Vec3(9, 9, 9)};
+  scene.domain.box = Box{.lengths = Vec3(9, 9, 9)};
   EXPECT_THROW(Mobility(scene, sphere.places, self), InputError);
-  scene.half_space.reset();
+  scene.domain.half_space.reset();
   EXPECT_NO_THROW(Mobility(scene, sphere.places, self));
   scene.flow.velocity[1] = 1;
   EXPECT_THROW(Mobility(scene, sphere.places, self), InputError);

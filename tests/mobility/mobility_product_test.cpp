@@ -63,7 +63,7 @@ TEST(Mobility, InABoxIsTheDirectSumToItsTolerance) {
         const direct::Spheres spheres = random_spheres(24, box.lengths, 1, alike);
         const auto exact = direct::box_velocities(law, spheres, eta, box);
         for (const double tolerance : {1e-3, 1e-5, 1e-8}) {
-          const MobilityScene scene{model, eta, box, spheres.radii, tolerance};
+          const MobilityScene scene{model, eta, {.box = box}, spheres.radii, tolerance};
           EXPECT_LT(relative_error(product(scene, spheres), exact), tolerance)
               << box.lengths.transpose() << ", alike " << alike;
         }
@@ -117,7 +117,7 @@ TEST(Mobility, BearsPlacesThatAreNoNumbers) {
     direct::Spheres spheres = random_spheres(1200, {40, 40, 40}, 1, true);
     const Communicator world(MPI_COMM_WORLD);
     MobilityScene scene{MobilityModel::rpy, eta, {}, spheres.radii};
-    if (is_periodic) scene.box = Box{{40, 40, 40}, {}};
+    if (is_periodic) scene.domain.box = Box{{40, 40, 40}, {}};
     Mobility mobility(scene, spheres.places, world);
     spheres.places[7] = Vec3::Constant(std::nan(""));
     direct::Vectors velocities(spheres.places.size());
@@ -144,7 +144,7 @@ TEST(Mobility, SumsFewSpheresInOpenSpaceToRoundoff) {
 // Where positions differ by whole edges of the box, and however the swarm has moved in open space.
 TEST(Mobility, DoesNotHangOnImagesOrPlace) {
   direct::Spheres spheres = random_spheres(40, {20, 24, 30}, 1, false);
-  const MobilityScene in_box{MobilityModel::rpy, eta, Box{{20, 24, 30}}, spheres.radii, 1e-6};
+  const MobilityScene in_box{MobilityModel::rpy, eta, {.box = Box{{20, 24, 30}}}, spheres.radii, 1e-6};
   const auto before = product(in_box, spheres);
   for (std::size_t b = 0; b < spheres.places.size(); ++b)
     spheres.places[b] +=
@@ -167,7 +167,7 @@ TEST(Mobility, DoesNotHangOnImagesOrPlace) {
 // <f, mu g> = <g, mu f>, and f does work: pairs and mesh together, to roundoff, whatever the tolerance.
 TEST(Mobility, IsReciprocalAndDissipates) {
   direct::Spheres spheres = random_spheres(60, {20, 24, 30}, 1, false);
-  const MobilityScene scene{MobilityModel::rpy, eta, Box{{20, 24, 30}}, spheres.radii, 1e-3};
+  const MobilityScene scene{MobilityModel::rpy, eta, {.box = Box{{20, 24, 30}}}, spheres.radii, 1e-3};
   const direct::Vectors f = spheres.forces, by_f = product(scene, spheres);
   std::ranges::rotate(spheres.forces, spheres.forces.begin() + 7);
   const direct::Vectors g = spheres.forces, by_g = product(scene, spheres);
@@ -191,9 +191,9 @@ TEST(Mobility, RepeatsItsBits) {
 
 TEST(Mobility, RefusesWhatItCannotSum) {
   const direct::Spheres spheres = random_spheres(5, {20, 20, 20}, 1, true);
-  MobilityScene scene{MobilityModel::rpy, eta, Box{{20, 20, 3}}, spheres.radii};
+  MobilityScene scene{MobilityModel::rpy, eta, {.box = Box{{20, 20, 3}}}, spheres.radii};
   EXPECT_THROW(product(scene, spheres), InputError);
-  scene.box->lengths[2] = 20;
+  scene.domain.box->lengths[2] = 20;
   scene.tolerance = 0.1;
   EXPECT_THROW(product(scene, spheres), InputError);
   scene.tolerance = 1e-4;
@@ -204,7 +204,7 @@ TEST(Mobility, RefusesWhatItCannotSum) {
 // Arrays that are too short or too long would be read or written beyond their ends, or in part.
 TEST(Mobility, RefusesArraysThatDoNotFitTheSpheres) {
   const direct::Spheres spheres = random_spheres(5, {20, 20, 20}, 1, true);
-  const MobilityScene scene{MobilityModel::rpy, eta, Box{{20, 20, 20}}, spheres.radii};
+  const MobilityScene scene{MobilityModel::rpy, eta, {.box = Box{{20, 20, 20}}}, spheres.radii};
   const Communicator world(MPI_COMM_WORLD);
   const std::span<const Vec3> places(spheres.places), forces(spheres.forces);
   direct::Vectors velocities(6);

@@ -106,7 +106,7 @@ struct Mobilities {
   explicit Mobilities(const KnownScene& known) {
     MobilityScene scene{MobilityModel::rpy, eta, {}, known.radii, 1e-8};
     scene.moment_order = 2;
-    scene.half_space = known.half_space;
+    scene.domain.half_space = known.half_space;
     plain = matrix_of(scene, known.places);
     scene.model = MobilityModel::rpy_near;
     near = matrix_of(scene, known.places);
@@ -189,8 +189,8 @@ TEST(NearAccuracy, IsCloserInRandomGroups) {
 void expect_positive_definite(const std::string& name, const Vectors& places,
                               const std::optional<HalfSpace>& half_space,
                               const std::optional<Box>& box = {}) {
-  MobilityScene scene{MobilityModel::rpy_near, eta, box, Numbers(places.size(), 1.0), 1e-6};
-  scene.half_space = half_space;
+  MobilityScene scene{MobilityModel::rpy_near, eta, {.box = box}, Numbers(places.size(), 1.0), 1e-6};
+  scene.domain.half_space = half_space;
   const Eigen::MatrixXd matrix = matrix_of(scene, places);
   EXPECT_LT((matrix - matrix.transpose()).norm(), 1e-9 * matrix.norm()) << name;
   EXPECT_GT(matrix.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 1e-6 * self_mobility(1, eta))

@@ -150,7 +150,7 @@ TEST(NearField, KeepsTheNetForceAndUniformFlow) {
   const Crowd crowd(4, 6, {7, 8, 9});
   for (const auto& box : {std::optional<Box>{}, std::optional(Box{{7, 8, 9}, {}})}) {
     const NearMap map =
-        NearField(crowd.radii, lines_of_three(crowd.radii), eta, box, std::nullopt).at(crowd.places);
+        NearField(crowd.radii, lines_of_three(crowd.radii), eta, {.box = box}).at(crowd.places);
     Vectors forces = crowd.forces;
     forces[0] += Vec3(1, 2, 3);  // the sum
     constexpr int count = moment_count(1);

@@ -31,7 +31,7 @@ inline std::vector<int> lines_of_three(const Numbers& radii) {
 }
 
 inline MobilityScene near_scene(const Numbers& radii, const std::optional<Box>& box = {}) {
-  return {MobilityModel::rpy_near, eta, box, radii, 1e-8, lines_of_three(radii)};
+  return {MobilityModel::rpy_near, eta, {.box = box}, radii, 1e-8, lines_of_three(radii)};
 }
 
 /// Returns all columns of the mobility matrix.

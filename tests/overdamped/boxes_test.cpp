@@ -16,9 +16,9 @@ TEST(OverdampedSwimmer, SwimsAsHarmonicBalanceSaysInBoxes) {
   constexpr double truncation = 5e-5;
   OverdampedScene scene = scene_of(paper_swimmer(), steps);
   scene.tolerance = 1e-6;
-  scene.box = Box{{120, 80, 80}, {}};
+  scene.domain.box = Box{{120, 80, 80}, {}};
   expect_theory(scene, steps, 3, truncation);
-  scene.box = Box{{100, 40, 40}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
+  scene.domain.box = Box{{100, 40, 40}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
   scene.swimmers[0].position = {50, 20, 20};
   expect_theory(scene, steps, 3, truncation);
 }
@@ -39,8 +39,8 @@ TEST(OverdampedSwimmer, HasTheBoxFactorsOnRecord) {
   for (const auto& [lengths, has_walls, factor, printed_digits] :
        {Case{{60, 60, 60}, false, 1.3228, 1e-4}, Case{{100, 100, 100}, false, 1.0287, 1e-4},
         Case{{100, 40, 40}, false, 0.768, 1e-3}, Case{{160, 80, 80}, true, 0.99226, 1e-4}}) {
-    scene.box = Box{.lengths = lengths};
-    scene.box->boundary.fill(has_walls ? Boundary::free_slip : Boundary::periodic);
+    scene.domain.box = Box{.lengths = lengths};
+    scene.domain.box->boundary.fill(has_walls ? Boundary::free_slip : Boundary::periodic);
     scene.swimmers[0].position = lengths / 2;
     EXPECT_NEAR(swimming_of(scene, steps, 3).velocity / open, factor, printed_digits) << lengths.transpose();
   }
@@ -53,11 +53,11 @@ TEST(OverdampedSwarm, OfEightCellsMovesAsOfOne) {
   OverdampedScene one = scene_of(paper_swimmer(), steps);
   set_amplitude(one.types[0].driving, {1, 1});
   for (Bond& bond : one.types[0].bonds) bond.stiffness = 0.2;
-  one.box = Box{{64, 32, 32}, {}};
+  one.domain.box = Box{{64, 32, 32}, {}};
   one.swimmers[0].position = {32, 16, 16};
   one.tolerance = 1e-12;
   OverdampedScene eight = one;
-  eight.box = Box{{128, 64, 64}, {}};
+  eight.domain.box = Box{{128, 64, 64}, {}};
   eight.swimmers.clear();
   for (int id = 0; id < 8; ++id)
     eight.swimmers.push_back(
@@ -80,7 +80,7 @@ TEST(OverdampedSwarm, BearsDenseSwarmsWithFewSteps) {
   set_amplitude(scene.types[0].driving, {1, 1});
   for (Bond& bond : scene.types[0].bonds) bond.stiffness = 0.2;
   scene.tolerance = 1e-5;
-  scene.box = Box{{64, 4 * gap, 4 * gap}, {}};
+  scene.domain.box = Box{{64, 4 * gap, 4 * gap}, {}};
   scene.swimmers.clear();
   for (int id = 0; id < 16; ++id)
     scene.swimmers.push_back(

@@ -62,7 +62,7 @@ class SwarmRates {
       : scene_(scene),
         world_(MPI_COMM_WORLD),
         start_(start_positions(scene)),
-        product_({scene.model, scene.viscosity, scene.box, bead_radii(scene), scene.tolerance}, start_,
+        product_({scene.model, scene.viscosity, scene.domain, bead_radii(scene), scene.tolerance}, start_,
                  world_),
         preconditioner_(scene.swimmers.size()) {}
 

@@ -56,7 +56,7 @@ TEST(CvodeSwarm, OverdampedSystemMovesAlikeInABoxWithWalls) {
   scene.types.push_back(swimmer_type(odd_swimmer()));
   for (Bond& bond : scene.types[1].bonds) bond.damping = 0;
   scene.swimmers[1].type = 1;
-  scene.box = Box{{110, 90, 80}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
+  scene.domain.box = Box{{110, 90, 80}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
   scene.tolerance = 1e-6;
   constexpr double truncation = 5e-5;
   expect_third_order(scene, scene.types[0].driving.period / 16, 160, truncation);

@@ -118,7 +118,7 @@ TEST(OverdampedSwimmer, IsCheckedAlikeAfterARestart) {
     scene.viscosity = 0.15;
     scene.types = {type};
     scene.swimmers = {{.id = 0, .type = 0, .position = {0, 0, 1.6}}};
-    scene.half_space = HalfSpace{2};
+    scene.domain.half_space = HalfSpace{2};
     scene.step = 0.25;
     const Communicator world(MPI_COMM_WORLD);
     OverdampedSystem whole(scene, world), restarted(scene, world);

@@ -79,7 +79,7 @@ inline ThreeBeadSwimmer swarm_swimmer() {
 inline OverdampedScene lattice_of(std::array<int, 2> rows, double distance, int steps_per_cycle) {
   OverdampedScene scene = scene_of(swarm_swimmer(), steps_per_cycle);
   scene.tolerance = 1e-6;
-  scene.box = Box{{96, rows[0] * distance, rows[1] * distance}, {}};
+  scene.domain.box = Box{{96, rows[0] * distance, rows[1] * distance}, {}};
   scene.swimmers.clear();
   for (int id = 0; id < rows[0] * rows[1]; ++id) {
     const Vec3 middle(48, (id % rows[0] + 0.5) * distance, (id / rows[0] + 0.5) * distance);

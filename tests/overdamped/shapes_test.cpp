@@ -358,7 +358,7 @@ TEST(HalfSpaceRuns, ABeadThatIsPressedOnTheWallStopsAboveIt) {
     SwimmerType type = beads_at({Vec3::Zero()}, 2);
     type.driving.forces = {{.bead = 0, .direction = -Vec3::Unit(axis), .constant = 0.3}};
     OverdampedScene scene = lone(type, 200);
-    scene.half_space = HalfSpace{axis};
+    scene.domain.half_space = HalfSpace{axis};
     scene.swimmers[0].position = Vec3::Constant(2.5);
     const Communicator world(MPI_COMM_WORLD);
     OverdampedSystem system(scene, world);
@@ -380,7 +380,7 @@ TEST(HalfSpaceRuns, TheSmallestGapIsThatAfterEachStepTowardsTheWall) {
   SwimmerType type = beads_at({Vec3::Zero()}, 2);
   type.driving.forces = {{.bead = 0, .direction = -Vec3::UnitZ(), .constant = 0.3}};
   OverdampedScene scene = lone(type, 200);
-  scene.half_space = HalfSpace{2};
+  scene.domain.half_space = HalfSpace{2};
   scene.swimmers[0].position = Vec3::Constant(2.18);
   const Communicator world(MPI_COMM_WORLD);
   OverdampedSystem system(scene, world);

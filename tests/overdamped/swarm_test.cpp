@@ -29,7 +29,7 @@ TEST(OverdampedSwarm, TouchesAcrossSeamsAsWithin) {
   OverdampedScene scene = scene_of(paper_swimmer(), 100);
   set_amplitude(scene.types[0].driving, {0.5, 0.5});
   scene.tolerance = 1e-6;
-  scene.box = Box{{80, 40, 40}, {}};
+  scene.domain.box = Box{{80, 40, 40}, {}};
   scene.swimmers[0].position = {40, 20, 20};
   scene.swimmers.push_back({.id = 1,
                             .type = 0,
@@ -137,7 +137,7 @@ TEST(OverdampedSwarm, RepelsNoBeadsOfASwimmerAtRest) {
 // Driven against a wall beads stay on their side of it.
 TEST(OverdampedSwarm, StaysBetweenWalls) {
   OverdampedScene scene = scene_of(paper_swimmer(), 800);
-  scene.box = Box{{60, 40, 40}, {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
+  scene.domain.box = Box{{60, 40, 40}, {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
   set_amplitude(scene.types[0].driving, {0.8, 0.8});
   scene.tolerance = 1e-3;
   const Communicator world(MPI_COMM_WORLD);
@@ -171,7 +171,7 @@ TEST(OverdampedSwarm, MeetsWallsAndOthersInFewSteps) {
   OverdampedScene wall = scene_of(paper_swimmer(), 50);
   set_amplitude(wall.types[0].driving, {0.5, 0.5});
   wall.tolerance = 1e-4;
-  wall.box = Box{{60, 40, 40}, {Boundary::free_slip, Boundary::periodic, Boundary::periodic}};
+  wall.domain.box = Box{{60, 40, 40}, {Boundary::free_slip, Boundary::periodic, Boundary::periodic}};
   wall.swimmers[0].position = {26, 20, 20};
   OverdampedScene others = scene_of(paper_swimmer(), 50);
   set_amplitude(others.types[0].driving, {0.5, 0.5});

@@ -43,12 +43,12 @@ inline PeriodicMotion theory_of(const OverdampedScene& scene) {
     return periodic_motion(swimmer, rest_positions(swimmer),
                            [&](const LinePositions& x) { return exact_mobility(swimmer, x, 1e-9); });
   const PairLaw law = scene.model == MobilityModel::oseen ? oseen : rotne_prager;
-  if (!scene.box) {
+  if (!scene.domain.box) {
     return periodic_motion(swimmer, rest_positions(swimmer), [&](const LinePositions& x) {
       return pairwise_mobility(law, swimmer.radius, x, scene.viscosity);
     });
   }
-  const LineFlow flow(scene.viscosity, *scene.box, scene.swimmers[0].position[1],
+  const LineFlow flow(scene.viscosity, *scene.domain.box, scene.swimmers[0].position[1],
                       scene.swimmers[0].position[2]);
   LinePositions rest = rest_positions(swimmer);
   for (double& x : rest) x += scene.swimmers[0].position[0];

@@ -28,7 +28,7 @@ ShapedSwimmer towed_bead(const Vec3& force, double height) {
   return {.type = type,
           .orientation = Eigen::Matrix3d::Identity(),
           .viscosity = eta,
-          .half_space = HalfSpace{},
+          .domain = {.box = {}, .half_space = HalfSpace{}},
           .flow = {},
           .place = Vec3(3, -2, height)};
 }
@@ -112,7 +112,7 @@ TEST(ShapesOverAWall, FarFromItASwimmerFollowsTheImageOfItsDipole) {
     for (const double pitch : pitches) {
       ShapedSwimmer placed = swimmer(arms, phase, pitch);
       const Vec3 free = periodic_motion(placed, rotne_prager_tensor).velocity_vector;
-      placed.half_space = HalfSpace{};
+      placed.domain.half_space = HalfSpace{};
       std::array<double, 3> along, across, turning;
       for (int n = 0; n < 3; ++n) {
         const double h = 300 * std::pow(2, n);

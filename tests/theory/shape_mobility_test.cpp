@@ -87,7 +87,7 @@ ShapedSwimmer one_bead(const Vec3& place) {
 TEST(MomentMobility, OfOneBeadInACubeIsThatOfACubicArray) {
   for (const double edge : {10.0, 20.0, 40.0}) {
     ShapedSwimmer bead = one_bead(Vec3(1, 2, 3));
-    bead.box = Box{.lengths = Vec3::Constant(edge)};
+    bead.domain.box = Box{.lengths = Vec3::Constant(edge)};
     const double c = 4 * pi / 3 / std::pow(edge, 3);
     const double expected = 1 - 2.837297 / edge + c - 1.5593 * c * c;
     const Eigen::MatrixXd mu = moment_mobility(bead, 2).matrix(BeadVectors::Zero(3, 1));
@@ -99,7 +99,7 @@ TEST(MomentMobility, OfOneBeadInACubeIsThatOfACubicArray) {
 TEST(MomentMobility, OfOneBeadOverAWallTendsToTheExactOne) {
   for (const double height : {2.0, 3.0, 6.0}) {
     ShapedSwimmer bead = one_bead(Vec3(0, 0, height));
-    bead.half_space = HalfSpace{};
+    bead.domain.half_space = HalfSpace{};
     const auto error = [&](int order) {
       const Eigen::MatrixXd mu = moment_mobility(bead, order).matrix(BeadVectors::Zero(3, 1));
       return std::abs(mu(2, 2) * drag_towards_wall(height) - 1);
@@ -116,7 +116,7 @@ TEST(MomentMobility, OfOrderZeroInABoxIsThatOfALineInTheBox) {
   for (const auto boundary : {Boundary::periodic, Boundary::free_slip}) {
     const Box box{.lengths = {90, 50, 60}, .boundary = {Boundary::periodic, boundary, Boundary::periodic}};
     ShapedSwimmer swimmer = shaped(line, Eigen::Matrix3d::Identity());
-    swimmer.box = box;
+    swimmer.domain.box = box;
     swimmer.place = Vec3(45, 25, 30);
     const BoxPlace place{.box = box, .middle_bead = {45, 25, 30}};
     const LineFlow flow = box_line_flow(place, line.viscosity);
@@ -140,7 +140,7 @@ TEST(MethodsForShapes, InAWideBoxTendToOpenSpace) {
                         fluid.dynamic_viscosity()};
   const Vec3 open = second_order_motion(swimmer, moment_mobility(swimmer, 2)).velocity_vector;
   const auto change = [&](double edge) {
-    swimmer.box = Box{.lengths = Vec3::Constant(edge)};
+    swimmer.domain.box = Box{.lengths = Vec3::Constant(edge)};
     swimmer.place = Vec3::Constant(edge / 2);
     return (second_order_motion(swimmer, moment_mobility(swimmer, 2)).velocity_vector - open).norm();
   };
@@ -167,7 +167,7 @@ TEST(MethodsForShapes, AreRecommendedOnlyIfTheyTreatTheSwimmer) {
   ShapedSwimmer towed = one_bead(Vec3(0, 0, 3));
   towed.type.driving.period = 1;
   towed.type.driving.forces = {{.bead = 0, .direction = Vec3::UnitX(), .constant = 1}};
-  towed.half_space = HalfSpace{};
+  towed.domain.half_space = HalfSpace{};
   try {
     predict(find_method("inertia-corrected"), Question(towed, 1));
     FAIL();

@@ -285,7 +285,7 @@ TEST(SecondOrderMotionOfShapes, IsTheLimitOfFiniteAmplitudeOverAWall) {
     Triangle triangle;
     triangle.amplitude = {3 * factor, 2 * factor, factor};
     ShapedSwimmer swimmer = of_gallery(triangle);
-    swimmer.half_space = HalfSpace{};
+    swimmer.domain.half_space = HalfSpace{};
     swimmer.place = Vec3(0, 0, 20);
     const ShapeMotion small = second_order_motion(swimmer, rotne_prager_tensor);
     const ShapeMotion finite = periodic_motion(swimmer, rotne_prager_tensor);

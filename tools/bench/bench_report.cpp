@@ -17,15 +17,15 @@ std::string optional_seconds(const std::optional<double>& seconds) {
 std::string product_table(const BenchReport& report) {
   std::string table = fmt::format(
       "{}, {}; medians of {} rounds\n\n  beads surroundings ranks tolerance order iterations  seconds     "
-      "best     error   MB     mesh end of step\n",
+      "best     error   MB     mesh end of step    noise\n",
       processor_name(), sweep_instruction_set(), report.rounds);
   for (const ProductRow& row : report.products) {
-    table += fmt::format("{:7} {:12} {:5} {:9.1e} {:5} {:10} {:8.4f} {:8.4f} {:>9} {:4.0f} {:>8} {:>11}\n",
-                         row.beads, to_text(row.surroundings), row.ranks, row.tolerance, row.multipole_order,
-                         row.iterations, row.seconds, row.seconds_best,
-                         row.error ? fmt::format("{:.1e}", *row.error) : "-",
-                         1e-6 * static_cast<double>(row.memory_bytes), optional_seconds(row.mesh_seconds),
-                         optional_seconds(row.end_of_step_seconds));
+    table += fmt::format(
+        "{:7} {:12} {:5} {:9.1e} {:5} {:10} {:8.4f} {:8.4f} {:>9} {:4.0f} {:>8} {:>11} {:>8}\n", row.beads,
+        to_text(row.surroundings), row.ranks, row.tolerance, row.multipole_order, row.iterations, row.seconds,
+        row.seconds_best, row.error ? fmt::format("{:.1e}", *row.error) : "-",
+        1e-6 * static_cast<double>(row.memory_bytes), optional_seconds(row.mesh_seconds),
+        optional_seconds(row.end_of_step_seconds), optional_seconds(row.noise_seconds));
   }
   return table;
 }

@@ -43,12 +43,17 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
   add_value(*program, "--multipole-order", options.products.multipole_order, {"N", whole_number(0, 2)},
             "Highest moment of the force on each bead in the products of --beads, as in beadswim-run")
       ->needs(beads);
+  CLI::Option* unsteady = program
+                              ->add_flag("--unsteady", options.products.is_unsteady,
+                                         "Measure the products of --beads in a periodic box of fluid with "
+                                         "inertia, and the end of a time "
+                                         "step; the step is a hundredth of the period 2000")
+                              ->needs(beads);
   program
-      ->add_flag(
-          "--unsteady", options.products.is_unsteady,
-          "Measure the products of --beads in a periodic box of fluid with inertia, and the end of a time "
-          "step; the step is a hundredth of the period 2000")
-      ->needs(beads);
+      ->add_flag("--noise", options.products.has_noise,
+                 "Also measure the thermal noise of a time step, with an error of 1e-3")
+      ->needs(beads)
+      ->excludes(unsteady);
   begin_group(*program, "Options");
   add_value(*program, "--rounds", options.request.rounds, {"N", whole_number(1, 1000)},
             "Number of times that each case is measured; medians over these rounds are printed");

@@ -12,6 +12,7 @@
 #include "beadswim/core/median.hpp"
 #include "beadswim/mobility/force_moments.hpp"
 #include "beadswim/mobility/mobility.hpp"
+#include "beadswim/mobility/mobility_root.hpp"
 #include "first_ranks.hpp"
 #include "particle_mesh.hpp"
 
@@ -88,7 +89,7 @@ double mesh_seconds(const MobilityScene& scene, const EwaldPlan& plan, const Bea
   const ImagedSpheres spheres{.order = scene.moment_order,
                               .viscosity = scene.viscosity,
                               .radii = scene.radii,
-                              .lengths = scene.box->lengths};
+                              .lengths = scene.domain.box->lengths};
   ParticleMesh mesh(plan, spheres, scene.memory, {}, Receivers::spheres, communicator);
   return median(times_of(rounds, communicator, [&] {
     mesh.set_sources(beads.positions, bounding_box(beads.positions));
@@ -106,12 +107,12 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
   const Beads beads = random_beads(count);
   MobilityScene scene{.model = request.is_unsteady ? MobilityModel::unsteady : MobilityModel::multipole,
                       .viscosity = 1.0 / 3,
-                      .box = surroundings == Surroundings::periodic
-                                 ? std::optional(Box{{beads.edge, beads.edge, beads.edge}, {}})
-                                 : std::nullopt,
+                      .domain = {},
                       .radii = std::vector<double>(count, radius),
                       .tolerance = request.tolerance,
                       .moment_order = request.multipole_order};
+  if (surroundings == Surroundings::periodic)
+    scene.domain.box = Box{{beads.edge, beads.edge, beads.edge}, {}};
   if (request.is_unsteady)
     scene.memory = FluidMemory{.density = 1,
                                .step = 20,
@@ -132,6 +133,13 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
       const ProductWork work = product.apply(beads.forces, velocities);
       row.iterations = static_cast<int>(work.iterations);
     });
+    if (request.has_noise) {
+      constexpr double noise_tolerance = 1e-3;
+      MobilityRoot root(scene, beads.positions, noise_tolerance, product, communicator);
+      std::uint64_t seed = 0;
+      row.noise_seconds =
+          median(times_of(request.rounds, communicator, [&] { root.at(beads.positions, ++seed); }));
+    }
     row.memory_bytes = resident_bytes(communicator) - before;
     row.seconds = median(seconds);
     row.seconds_best = *std::ranges::min_element(seconds);

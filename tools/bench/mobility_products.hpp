@@ -23,6 +23,7 @@ struct ProductRequest {
   double tolerance = 1e-4;   ///< relative error of the velocities
   int multipole_order = 0;   ///< highest moment of the force on each bead (mobility/force_moments.hpp)
   bool is_unsteady = false;  ///< a fluid with inertia in a periodic box (mobility/fluid_memory.hpp)
+  bool has_noise = false;    ///< the root of the mobility, too (mobility/mobility_root.hpp)
   int rounds = 9;            ///< repetitions of each product
 };
 
@@ -38,6 +39,7 @@ struct ProductRow {
   double seconds = 0, seconds_best = 0;  ///< time per product: median and minimum over the rounds [s]
   /// Only in a fluid with inertia: the part of a product on the mesh, and the end of a step [s].
   std::optional<double> mesh_seconds{}, end_of_step_seconds{};
+  std::optional<double> noise_seconds{};  ///< of the thermal noise of a step, median [s]
   /// Relative error of the velocities, measured relative to a product with 1/1000 of the tolerance. Empty if
   /// the product sums all pairs directly, for more than 100,000 beads (5000 with force moments), and for
   /// tolerances below 1e-9.
@@ -46,7 +48,8 @@ struct ProductRow {
 
   BEADSWIM_FIELDS(beads, surroundings, ranks, tolerance, (multipole_order, omitted_if(0)),
                   (iterations, omitted_if(0)), seconds, seconds_best, (mesh_seconds, omitted_if_none),
-                  (end_of_step_seconds, omitted_if_none), error, memory_bytes)
+                  (end_of_step_seconds, omitted_if_none), (noise_seconds, omitted_if_none), error,
+                  memory_bytes)
 };
 
 /// Times mobility products of beads of radius 6 at random positions, in a periodic box and in open space, on

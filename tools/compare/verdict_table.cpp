@@ -143,7 +143,8 @@ std::string verdict_table(const VerdictDocument& document, bool shows_all) {
     table += fmt::format("allowed difference: {}: run {}, reference {}\n", property, run, reference);
   const bool pass = verdict(document.rows);
   return table + fmt::format("verdict: {}, decided by {}, tolerance {:g} %\n", pass ? "pass" : "FAIL",
-                             document.decided_by, 100 * document.rows.front().tolerance);
+                             document.decided_by,
+                             100 * std::ranges::min(document.rows, {}, &ComparisonRow::tolerance).tolerance);
 }
 
 std::string verdict_line(const VerdictDocument& document) {

@@ -50,7 +50,10 @@ std::string table_of(const std::string& name, const TypeNumbers& numbers) {
          row("displacement of beads at the start from \"at\"", numbers.start_displacement) +
          row("box/swimmer length, x, y, z", box ? std::span<const double>(*box) : std::span<const double>()) +
          row("strain of the background flow per period, G T", numbers.strain_per_period) +
-         row("Re of the shear = G lambda^2/nu", numbers.shear_reynolds);
+         row("Re of the shear = G lambda^2/nu", numbers.shear_reynolds) +
+         row(fmt::format("kT/(k l^2), {}", arms), numbers.thermal_over_spring) +
+         row("momentum time lambda^2/nu over the period", numbers.momentum_time_over_period) +
+         row("Peclet number v L/D (second order, Rotne-Prager)", numbers.peclet);
 }
 
 std::string table_of(const ResolutionNumbers& numbers) {

@@ -226,6 +226,7 @@ void add_kind(CLI::App& shape, Kinds& kinds, const std::string& name, const std:
   kind.type = [parameters](const Fluid& fluid) { return swimmer_type(*parameters, fluid); };
   kind.fluid.add(command, *find_quantity("viscosity"), "1/3");
   kind.fluid.add(command, *find_quantity("density"), "1");
+  kind.fluid.add(command, *find_quantity("thermal-energy"), "0");
   kind.fluid.add_units(command);
   kind.place.emplace(command, "the origin of the type's frame", "of the x axis of the type", "periodic");
   kind.place->add_orientation(command);

@@ -70,11 +70,38 @@ void QuantityFlags::add_units(CLI::App& command) {
   add_value(command, "--units", units_, {.name = "lattice|LENGTH,TIME,MASS", .initial = "lattice"},
             "Units of the layout: lattice, or units of length (m to nm), time (s to ns) and mass (kg to fg), "
             "such as um,s,pg; a preset is converted to them");
+  const CLI::Validator kelvin(
+      [](const std::string& text) {
+        const bool is_kelvin =
+            text.ends_with('K') && finite_non_negative()(text.substr(0, text.size() - 1)).empty();
+        return is_kelvin
+                   ? ""
+                   : fmt::format("\"{}\": the value must be a temperature in kelvin, such as 300K", text);
+      },
+      "");
+  add_value(
+      command, "--temperature", temperature_, {"TK", kelvin},
+      "Temperature of the fluid in kelvin, such as 300K, instead of --thermal-energy; with --units in SI")
+      ->excludes(command.get_option("--thermal-energy"));
+}
+
+QuantityValues QuantityFlags::values() const {
+  if (temperature_.empty()) return values_;
+  constexpr double boltzmann = 1.380649e-23;  // [J/K]
+  const Units units = this->units();
+  if (units.lattice)
+    throw InputError("--temperature",
+                     "units \"lattice\" have no kelvin; give --units, such as um,s,pg, or --thermal-energy");
+  QuantityValues values = values_;
+  const double energy = units.mass.si_factor * std::pow(units.length.si_factor / units.time.si_factor, 2);
+  const double kelvins = parse_numbers(temperature_.substr(0, temperature_.size() - 1))[0];
+  values["thermal-energy"] = Json::array({boltzmann * kelvins / energy});
+  return values;
 }
 
 void QuantityFlags::apply(Fluid& fluid) const {
   SwimmerParameters parameters{.fluid = fluid};
-  set_quantities(parameters, values_);
+  set_quantities(parameters, values());
   fluid = parameters.fluid;
 }
 

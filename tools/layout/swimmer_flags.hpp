@@ -20,7 +20,7 @@ const Units::Unit& unit_named(Quantity quantity, const std::string& name, const 
 /// Parses "lattice" or the names of the units of length, time and mass: "um,s,pg".
 Units parse_units(const std::string& text, const std::string& flag);
 
-/// Flags of named quantities (study/named_quantity.hpp), and of the units of the layout.
+/// Flags of named quantities (study/named_quantity.hpp), of the units of the layout and of its temperature.
 class QuantityFlags {
  public:
   /// Adds the flag of a quantity to the command. `initial`: describes the default, for the help; empty if the
@@ -28,13 +28,15 @@ class QuantityFlags {
   void add(CLI::App& command, const NamedQuantity& quantity, const std::string& initial);
   void add_units(CLI::App& command);
 
-  const QuantityValues& values() const { return values_; }  ///< contains only the flags that are given
+  /// Returns the values of the flags that are given. Throws InputError for a temperature without SI units.
+  QuantityValues values() const;
   void apply(Fluid& fluid) const;
   Units units() const { return parse_units(units_, "--units"); }
 
  private:
   QuantityValues values_;
   std::string units_;
+  std::string temperature_;  ///< in kelvin, as 300K
 };
 
 /// Prints a warning if a phase in radian is more than one turn, and was probably meant in degrees. `phase`:

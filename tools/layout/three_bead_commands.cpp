@@ -93,7 +93,7 @@ class SwimmerFlags {
   UnitSizes preset_units() const {
     const Units units = quantities_.units();
     if (units.lattice) return {};
-    const QuantityValues& values = quantities_.values();
+    const QuantityValues values = quantities_.values();
     const auto radii = values.find("radius");
     if (radii == values.end() || radii->second.size() != 1 || !values.contains("viscosity") ||
         !values.contains("density"))

@@ -29,7 +29,7 @@ inline constexpr auto name_table<LogAxes> = std::to_array<NamedValue<LogAxes>>(
 namespace {
 
 struct AgainstFlags {
-  std::string x, x_label, group_by;
+  std::string x, x_label, group_by, mean_over;
   std::string y = "velocity";            ///< a result; for a map a quantity of the study
   std::optional<ResultQuantity> colour;  ///< result that a map shows
   LogAxes log = LogAxes::none;
@@ -58,7 +58,8 @@ bool has_errors(const Series& series) {
 
 Figure against_figure(const PlotInputs& inputs, ResultQuantity quantity, const AgainstFlags& flags) {
   Panel panel = empty_panel(flags, inputs.units, result_label(quantity, inputs.units));
-  const DrawnResults drawn = results_against(inputs, {.study = flags.x}, flags.choice.cycle, flags.group_by);
+  DrawnResults drawn = results_against(inputs, {.study = flags.x}, flags.choice.cycle, flags.group_by);
+  if (!flags.mean_over.empty()) average_over(flags.mean_over, inputs, drawn);
   std::vector<DrawnNumber> numbers;
   for (std::size_t i = 0; i < max_numbers(drawn, quantity); ++i) {
     const std::string symbol = arm_symbol(quantity, i);
@@ -68,7 +69,9 @@ Figure against_figure(const PlotInputs& inputs, ResultQuantity quantity, const A
   std::vector<Note> notes{reading_note(inputs)};
   if (flags.group_by == by_type && !inputs.runs.empty())
     notes.front() = {.text = "Marks are means over the swimmers of a type in a run."};
-  if (std::ranges::any_of(panel.series, has_errors))
+  if (!flags.mean_over.empty())
+    notes.front() = {.text = fmt::format("Marks are means over {}, with standard errors.", flags.mean_over)};
+  else if (std::ranges::any_of(panel.series, has_errors))
     notes.push_back({.text = "Bars and bands: uncertainties that runs and predictions state."});
   if (has_omitted_values(panel)) notes.push_back({.text = "Lines break where values are not positive."});
   const std::string title =
@@ -178,8 +181,9 @@ Figure drawn_figure(const PlotFiles& files, const AgainstFlags& flags) {
     const ResultQuantity result = result_named(flags.y);
     return against_figure(read_plot_inputs(files.inputs, flags.choice), result, flags);
   }
-  if (!flags.group_by.empty())
-    throw InputError("--group-by", "a map shows one value per point; leave the flag out");
+  for (const auto& [flag, value] :
+       {std::pair("--group-by", &flags.group_by), std::pair("--mean-over", &flags.mean_over)})
+    if (!value->empty()) throw InputError(flag, "a map shows one value per point; leave the flag out");
   return map_figure(read_plot_inputs(files.inputs, flags.choice), flags);
 }
 
@@ -200,6 +204,8 @@ DrawFigure add_against_flags(CLI::App& command) {
   add_value(command, "--group-by", flags->group_by, {.name = "NAME|swimmer|type", .initial = "none"},
             "Quantity of the study for whose values separate curves and marks are drawn; or swimmer, for "
             "each id; or type, for means over its swimmers");
+  add_value(command, "--mean-over", flags->mean_over, {.name = "NAME", .initial = "none"},
+            "Quantity of the study, such as seed, over whose values means with standard errors are drawn");
   add_choice(command, "--log", flags->log, "Logarithmic axes");
   add_result_flags(command, flags->choice);
   command.footer("Results:\n" + wrapped(joined(all_names<ResultQuantity>(), ", "), 2) + "\n");

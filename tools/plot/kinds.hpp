@@ -28,10 +28,14 @@ DrawFigure add_stroke_flags(CLI::App& command);
 DrawFigure add_velocity_flags(CLI::App& command, AbscissaKind abscissa);
 DrawFigure add_speed_flags(CLI::App& command);
 DrawFigure add_trajectory_flags(CLI::App& command);
+DrawFigure add_diffusion_flags(CLI::App& command);
 DrawFigure add_swarm_flags(CLI::App& command);
 DrawFigure add_flow_flags(CLI::App& command);
 DrawFigure add_swimmer_flags(CLI::App& command);
 DrawFigure add_product_flags(CLI::App& command);
+
+/// Adds the flag --method.
+void add_method(CLI::App& command, InputChoice& choice);
 
 /// Adds the flags --method, which selects the methods whose predictions are drawn, and --cycle, which selects
 /// the cycles of runs.

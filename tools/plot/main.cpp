@@ -72,6 +72,15 @@ constexpr std::array kinds{
              add_trajectory_flags,
              {"beadswim-plot trajectories run.h5md -o trajectory.svg",
               "beadswim-plot trajectories run.h5md --along z --against angle -o heights.svg"}},
+    PlotKind{"msd",
+             "Draws the mean square displacement of swimmers, and the turn of their axes, against time.",
+             "Trajectory files of runs with thermal noise (.h5md), drawn as points; predictions for their "
+             "layouts, drawn as lines.",
+             add_diffusion_flags,
+             {"beadswim-layout swimmer --preset paper-single --unbounded | \\\n"
+              "beadswim-layout vary --over thermal-energy=0.01,0.02 | \\\n"
+              "beadswim-run --model rpy --cycles 12 -o warm-{}.h5md >warm.jsonl",
+              "beadswim-plot msd warm-1.h5md warm-2.h5md -o msd.svg"}},
     PlotKind{"swarm",
              "Draws all beads and bonds of a layout, or of one frame of a trajectory.",
              "Layout file (- is standard input), trajectory file (.h5md), or file of an unfinished run "

@@ -223,14 +223,15 @@ DrawnResults results_against(const PlotInputs& inputs, const Abscissa& abscissa,
         if (group_by == by_type) {
           of_types[group].push_back(results);
         } else {
-          add(*setting, group, {abscissa_of(run, swimmer, abscissa, cycle), results, true, run.source},
+          add(*setting, group,
+              {abscissa_of(run, swimmer, abscissa, cycle), results, true, run.source, run.study()},
               of_setting);
         }
       }
       for (const auto& [type, results] : of_types)
         add(*setting, type,
             {abscissa_of(run, run.record.swimmers.front(), abscissa, cycle), mean_of(results), true,
-             run.source},
+             run.source, run.study()},
             of_setting);
     }
     std::ranges::move(of_setting, std::back_inserter(drawn.runs));
@@ -243,12 +244,44 @@ DrawnResults results_against(const PlotInputs& inputs, const Abscissa& abscissa,
             group_by.empty() ? ""
                              : group_of(plotted.document.study, plotted.document.scene,
                                         plotted.document.swimmer, plotted.source),
-            {abscissa_of(plotted, abscissa), plotted.results(), plotted.prediction().usable, plotted.source},
+            {abscissa_of(plotted, abscissa), plotted.results(), plotted.prediction().usable, plotted.source,
+             plotted.document.study},
             of_method);
     for (ResultSeries& series : of_method) std::ranges::stable_sort(series.points, {}, &ResultPoint::x);
     std::ranges::move(of_method, std::back_inserter(drawn.predictions));
   }
   return drawn;
+}
+
+void average_over(const std::string& asked, const PlotInputs& inputs, DrawnResults& drawn) {
+  const std::vector<Json> studies = inputs.studies();
+  const auto has = [&](const std::string& name) {
+    return std::ranges::any_of(studies, [&](const Json& study) { return study.contains(name); });
+  };
+  const std::string name = !has(asked) && has("/" + asked) ? "/" + asked : asked;
+  if (!has(name))
+    throw InputError(
+        "--mean-over",
+        fmt::format("\"{}\" is not varied in any file; name what beadswim-layout vary has varied", asked));
+  for (auto* all : {&drawn.runs, &drawn.predictions})
+    for (ResultSeries& series : *all) {
+      std::vector<std::vector<ResultPoint>> groups;
+      for (ResultPoint& point : series.points) {
+        if (point.study.is_object()) point.study.erase(name);
+        const auto group = std::ranges::find_if(groups, [&](const auto& each) {
+          return each.front().x == point.x && each.front().study == point.study;
+        });
+        (group == groups.end() ? groups.emplace_back() : *group).push_back(std::move(point));
+      }
+      series.points.clear();
+      for (std::vector<ResultPoint>& group : groups) {
+        ResultPoint& point = series.points.emplace_back(group.front());
+        if (all == &drawn.predictions) continue;
+        std::vector<Results> results;
+        for (const ResultPoint& each : group) results.push_back(each.results);
+        point.results = mean_with_errors(results);
+      }
+    }
 }
 
 DrawnResults results_by_cycle(const PlotInputs& inputs) {

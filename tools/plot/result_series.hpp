@@ -55,6 +55,7 @@ struct ResultPoint {
   Results results;
   bool usable = true;
   std::string source;
+  Json study{};
 };
 
 /// Points that are drawn alike.
@@ -70,6 +71,10 @@ struct DrawnResults {
 
 /// Values of `group_by` below that are no quantities of a study.
 inline constexpr const char *by_swimmer = "swimmer", *by_type = "type";
+
+/// Replaces points of runs that differ only in the quantity `name` of the study by their mean, with its
+/// standard error; of predictions, by the first. Throws InputError if no study has the quantity.
+void average_over(const std::string& name, const PlotInputs& inputs, DrawnResults& drawn);
 
 /// Returns series of runs of one setting, with means over the chosen cycles, and of predictions by one
 /// method. The values of the quantity `group_by` of the study, unless it is empty, have separate series; so

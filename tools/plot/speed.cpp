@@ -65,7 +65,8 @@ std::optional<double> uncertainty_of(const ComparedScene& scene, ResultQuantity 
   for (const Results& results : scene.correct) {
     const auto found = results.find(quantity);
     if (found == results.end()) continue;
-    const auto& [numbers, vector, uncertainties] = found->second;
+    const auto& numbers = found->second.numbers;
+    const auto& uncertainties = found->second.uncertainties;
     for (std::size_t i = 0; i < uncertainties.size(); ++i) {
       largest = std::max(largest.value_or(0), uncertainties[i]);
       change += std::pow(uncertainties[i] * numbers[i], 2);

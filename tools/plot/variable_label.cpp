@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "beadswim/core/joined.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {
@@ -53,6 +54,8 @@ constexpr auto known_variables = std::to_array<Variable>({
     {"phase_offset", exponents::angle},
     {"rest", exponents::angle, "rest angle"},
     {"rotate", exponents::angle, "rotation about"},
+    {"thermal-energy", exponents::energy, "thermal energy kT"},
+    {"thermal_energy", exponents::energy, "thermal energy kT"},
     {"viscosity", exponents::viscosity},
     {"kinematic_viscosity", exponents::viscosity},
     {"velocity", exponents::velocity, "flow velocity"},

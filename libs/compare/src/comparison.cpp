@@ -93,7 +93,14 @@ ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, 
   if (std::abs(row.reference) <= zero || is_angle(quantity))
     make_relative_to(run.scale.size_of(quantity, run.scale.speed),
                      std::abs(difference) <= zero ? 0 : difference, row);
-  row.pass = std::abs(row.relative_error) <= tolerance;  // false for NaN
+  // Means with thermal noise agree within two standard errors of their difference.
+  double variance = 0;
+  if (run.results.at(quantity).is_mean) variance += std::pow(row.run_uncertainty.value_or(0) * row.run, 2);
+  if (reference.results.at(quantity).is_mean)
+    variance += std::pow(row.reference_uncertainty.value_or(0) * row.reference, 2);
+  if (row.reference != 0)
+    row.tolerance = std::max(tolerance, 2 * std::sqrt(variance) / std::abs(row.reference));
+  row.pass = std::abs(row.relative_error) <= row.tolerance;  // false for NaN
   return row;
 }
 
@@ -112,6 +119,8 @@ double MotionScale::size_of(ResultQuantity quantity, double bead_speed) const {
     case Dimension::number:
     case Dimension::power:
     case Dimension::energy:
+    case Dimension::diffusion:
+    case Dimension::rate:
       break;
   }
   return quantity == ResultQuantity::sin_phase_shift ? 1 : 0;

@@ -119,7 +119,7 @@ struct AbsentFeature {
 
 /// Keys of a layout that request physics which this version does not have, such as an imposed flow or a
 /// prescribed stroke.
-const std::array<AbsentFeature, 3> absent_features{
+const std::array<AbsentFeature, 4> absent_features{
     {{{"background_flow", "imposed_flow", "external_flow", "inflow", "shear", "shear_rate", "strain_rate",
        "velocity_gradient", "pressure_gradient", "wall_velocity", "wall_velocities"},
       "imposed flow has other keys: \"flow\" of the layout for a linear flow of unbounded fluid, "
@@ -129,8 +129,12 @@ const std::array<AbsentFeature, 3> absent_features{
       "version 1 of the layout has no prescribed stroke: harmonic forces drive the beads (amplitude, phase, "
       "period of \"driving\"); remove the key, or prescribe lengths and angles in a layout of version 2 "
       "(beadswim-layout shape prescribed-three-bead)"},
-     {{"gravity", "external_force", "temperature", "kT", "thermal_noise", "noise"},
-      "this version has neither gravity nor thermal noise; remove the key, or set constant forces on beads "
+     {{"temperature", "kT", "thermal_noise", "noise"},
+      "thermal noise has the key \"thermal_energy\" of \"fluid\", k_B T in the units of the layout; remove "
+      "this "
+      "key"},
+     {{"gravity", "external_force"},
+      "this version has no gravity; remove the key, or set constant forces on beads "
       "in a layout of version 2 with the key net_force (beadswim-layout shape sphere)"}}};
 
 /// Throws InputError if a key of the JSON object requests a feature that this version does not have. Does

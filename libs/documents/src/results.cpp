@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 #include "beadswim/compare/cycle_statistics.hpp"
@@ -88,6 +89,11 @@ Results results_of(const Prediction& prediction, const SwimmerType* type, const 
       results[sin_phase_shift].uncertainties = {stroke->sin_phase_shift / std::abs(sine)};
   }
   if (prediction.dipole) results[dipole] = {{prediction.dipole->axial}};
+  if (const auto& thermal = prediction.thermal) {
+    results[effective_diffusion] = {{thermal->effective_diffusion}};
+    if (thermal->rotational_diffusion > 0) results[rotational_diffusion] = {{thermal->rotational_diffusion}};
+    results[peclet] = {{thermal->peclet}};
+  }
   return completed(std::move(results), prediction.velocity_vector, axis, prediction.angular_velocity,
                    prediction.power, prediction.efficiency);
 }
@@ -132,6 +138,87 @@ void add_uncertainties(const RunRecord& run, const SwimmerUncertainty& of_cycle,
   state(arms, ResultQuantity::arm_amplitudes, results);
 }
 
+// --- Runs with thermal noise
+
+/// Sets the uncertainties of means to their relative standard errors. Cycles have independent noise.
+void add_standard_errors(const std::vector<Results>& cycles, Results& means) {
+  const auto count = static_cast<double>(cycles.size());
+  for (auto& [quantity, mean] : means) {
+    mean.is_mean = true;
+    mean.vector.reset();  // the swimmer turns
+    mean.uncertainties.clear();
+    for (std::size_t i = 0; i < mean.numbers.size() && count > 1; ++i) {
+      double square = 0;
+      for (const Results& cycle : cycles)
+        square += std::pow(cycle.at(quantity).numbers[i] - mean.numbers[i], 2);
+      mean.uncertainties.push_back(std::sqrt(square / (count * (count - 1))) / std::abs(mean.numbers[i]));
+    }
+  }
+}
+
+/// Replaces amplitude d and phase delta of each arm, which noise makes larger on average, by those along the
+/// mean of d exp(i delta) over the cycles.
+void project_strokes(std::vector<Results>& cycles) {
+  using enum ResultQuantity;
+  const auto arm_of = [](const Results& cycle, std::size_t arm) {
+    return std::polar(cycle.at(arm_amplitudes).numbers[arm], cycle.at(arm_phases).numbers[arm]);
+  };
+  const auto found = cycles.front().find(arm_amplitudes);
+  for (std::size_t arm = 0; found != cycles.front().end() && arm < found->second.numbers.size(); ++arm) {
+    std::complex<double> mean = 0;
+    for (const Results& cycle : cycles) mean += arm_of(cycle, arm) / static_cast<double>(cycles.size());
+    for (Results& cycle : cycles) {
+      const std::complex<double> relative = arm_of(cycle, arm) / mean;
+      cycle.at(arm_amplitudes).numbers[arm] = std::abs(mean) * relative.real();
+      cycle.at(arm_phases).numbers[arm] = std::arg(mean) + relative.imag();
+    }
+  }
+  for (Results& cycle : cycles)
+    if (const auto shift = cycle.find(sin_phase_shift); shift != cycle.end()) {
+      const std::vector<double>& phases = cycle.at(arm_phases).numbers;
+      shift->second.numbers = {std::sin(phases[0] - phases[1])};
+    }
+}
+
+ResultValue result_of(const MeanAndError<double>& value) {
+  return {.numbers = {value.mean},
+          .uncertainties = {value.standard_error / std::abs(value.mean)},
+          .is_mean = true};
+}
+
+void add_diffusion(const ThermalRecord& thermal, const SwimmerType* type, const Layout* scene,
+                   Results& results) {
+  // Shorter displacements do not contain all of the diffusion by the motion along the axis.
+  constexpr double persistence_times = 5;
+  const auto& persistence = thermal.persistence_time;
+  if (const auto& found = thermal.effective_diffusion;
+      found && persistence && *thermal.lag >= persistence_times * persistence->mean)
+    results[ResultQuantity::effective_diffusion] = result_of(*found);
+  if (const auto& found = thermal.rotational_diffusion)
+    results[ResultQuantity::rotational_diffusion] = result_of(*found);
+  if (type == nullptr || scene == nullptr) return;
+  ResultValue peclet = results.at(ResultQuantity::speed_along_axis);
+  for (double& number : peclet.numbers) number = predicted_diffusion(*type, scene->fluid, number).peclet;
+  results[ResultQuantity::peclet] = peclet;
+}
+
+/// Returns the means of a run with thermal noise: of all cycles but the first, unless others are chosen.
+Results means_with_noise(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
+                         const SwimmerType* type, const std::string& source) {
+  std::span<const CycleStatistics> chosen = select_cycles(swimmer.cycles, choice, source);
+  if (choice.kind == CycleChoice::Kind::last && choice.number == 1 && swimmer.cycles.size() > 1)
+    chosen = std::span(swimmer.cycles).subspan(1);
+  std::vector<Results> cycles;
+  for (const CycleStatistics& cycle : chosen) cycles.push_back(results_of(cycle, run.domain.box, type));
+  project_strokes(cycles);
+  Results means = mean_of(cycles);
+  means[ResultQuantity::velocity] = means[ResultQuantity::speed_along_axis];
+  for (Results& cycle : cycles) cycle[ResultQuantity::velocity] = cycle[ResultQuantity::speed_along_axis];
+  add_standard_errors(cycles, means);
+  add_diffusion(*run.thermal, type, run.scene ? &*run.scene : nullptr, means);
+  return means;
+}
+
 }  // namespace
 
 std::string unit_of(ResultQuantity quantity, const Units& units) {
@@ -151,6 +238,10 @@ std::string unit_of(ResultQuantity quantity, const Units& units) {
       return units.lattice ? "" : fmt::format("{} {}²/{}³", mass, length, time);
     case Dimension::energy:
       return units.lattice ? "" : fmt::format("{} {}²/{}²", mass, length, time);
+    case Dimension::diffusion:
+      return units.lattice ? "" : fmt::format("{}²/{}", length, time);
+    case Dimension::rate:
+      return units.lattice ? "" : "1/" + time;
   }
   return "";
 }
@@ -172,9 +263,16 @@ Results mean_of(const std::vector<Results>& all) {
   return means;
 }
 
+Results mean_with_errors(const std::vector<Results>& all) {
+  Results means = mean_of(all);
+  add_standard_errors(all, means);
+  return means;
+}
+
 Results results_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
                    const std::string& source, RunUncertainty uncertainty) {
   const auto type = type_in(run.scene ? &*run.scene : nullptr, swimmer.id);
+  if (run.thermal) return means_with_noise(run, swimmer, choice, type ? &*type : nullptr, source);
   std::vector<Results> cycles;
   for (const CycleStatistics& cycle : select_cycles(swimmer.cycles, choice, source))
     cycles.push_back(results_of(cycle, run.domain.box, type ? &*type : nullptr));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "beadswim/core/cell_list.hpp"
+#include "beadswim/scene/layout.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 
 namespace beadswim {
@@ -33,6 +34,11 @@ ContactScale::ContactScale(const OverdampedScene& scene)
   for (const SwimmerType& type : scene.types)
     cutoff_of_type.push_back(std::min(cutoff_per_radius, smallest_gap_at_rest(type) / 2));
   min_cutoff_per_radius = std::ranges::min(cutoff_of_type);
+  constexpr double barrier = 20;  // the energy of touching beads is then some 35 kT
+  double smallest = largest_radius;
+  for (const SwimmerType& type : scene.types) smallest = std::min(smallest, smallest_radius(type));
+  const double cutoff = min_cutoff_per_radius * smallest;
+  if (scene.thermal_energy > 0) strength = std::max(strength, barrier * scene.thermal_energy / cutoff);
   for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
     const std::size_t beads = scene.type_of(scene.swimmers[s]).beads.size();
     own_cutoff_per_radius.insert(own_cutoff_per_radius.end(), beads, cutoff_of_type[scene.swimmers[s].type]);

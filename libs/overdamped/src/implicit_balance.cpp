@@ -34,8 +34,7 @@ ImplicitBalance::ImplicitBalance(const StepScene& scene, const StepStart& step) 
       rank_share(std::ssize(ranges), scene.communicator.rank(), scene.communicator.size());
   Beads places = step.positions;
   flat(places) += flat(step.expansion_point);
-  const Domain domain{.box = scene.scene.box, .half_space = scene.scene.half_space};
-  for (const Contact& contact : find_contacts(scene.contact_scale, domain, scene.radii, places))
+  for (const Contact& contact : find_contacts(scene.contact_scale, scene.scene.domain, scene.radii, places))
     (contact.is_own ? own_contacts_ : external_contacts_).push_back(contact);
   // The order of the cells, in which contacts are found, must not affect sums of forces.
   std::ranges::sort(own_contacts_, {}, [](const Contact& c) { return std::minmax({c.first, c.second}); });

@@ -30,6 +30,11 @@ constexpr double own_move_limit = 1e-3, own_move_tolerance = 1e-6, joint_move_to
                  joint_move_limit = 0.5;
 constexpr int max_own_iterations = 20, max_iterations = 10;
 
+/// Returns the accepted relative error of the velocities of a step, in which noise has its own error.
+double tolerance_of(const StepScene& scene, const StepStart& step) {
+  return step.noise ? std::max(scene.scene.tolerance, scene.scene.noise_tolerance) : scene.scene.tolerance;
+}
+
 double shortest_arm(std::span<const SwimmerType> types) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const SwimmerType& type : types)
@@ -54,7 +59,7 @@ ImplicitStepResult solve_linearised(const StepScene& scene, Mobility& mobility, 
                                     const ImplicitBalance& balance) {
   ImplicitStepResult result;
   Beads places = step.positions;
-  flat(places) += flat(step.expansion_point);
+  flat(places) += flat(step.noise ? step.noise->mobility_at : step.expansion_point);
   mobility.set_positions(places);
   double excess_share = 0;  // sum m'/(rho V)
   for (const double mass : scene.excess_masses) excess_share += mass / scene.fluid_mass;
@@ -77,6 +82,7 @@ ImplicitStepResult solve_linearised(const StepScene& scene, Mobility& mobility, 
   std::deque<Direction> directions;
   Beads forces = balance.initial_forces();
   Beads velocities = product(forces, FlowPart::all);
+  if (step.noise) flat(velocities) += flat(step.noise->velocities);
   result.moments = present_moments();
   Beads residual = balance.residual(forces, velocities);
   for (;;) {
@@ -87,7 +93,7 @@ ImplicitStepResult solve_linearised(const StepScene& scene, Mobility& mobility, 
               scene.communicator.get());  // all ranks must make the same decision
     const auto [missing, speed] = norms;
     // False if a norm is NaN, which check_faults() reports later.
-    const bool is_missing = missing > residual_share * scene.scene.tolerance * speed;
+    const bool is_missing = missing > residual_share * tolerance_of(scene, step) * speed;
     if (!is_missing || result.work.products >= max_products) {
       result.is_converged = !is_missing && result.work.is_converged;
       result.distant = velocities;
@@ -133,7 +139,7 @@ ImplicitStepResult solve_linearised(const StepScene& scene, Mobility& mobility, 
 ImplicitStepResult solve_implicit_step(const StepScene& scene, Mobility& mobility, const StepStart& step) {
   Beads expansion_point = step.expansion_point;
   ImplicitStepResult result{.distant = step.distant};
-  const StepStart at{step.rule, step.positions, step.history, expansion_point, result.distant};
+  const StepStart at{step.rule, step.positions, step.history, expansion_point, result.distant, step.noise};
   ProductWork work;
   for (int round = 1;; ++round) {
     std::optional<ImplicitBalance> balance;
@@ -155,7 +161,7 @@ ImplicitStepResult solve_implicit_step(const StepScene& scene, Mobility& mobilit
     const double way = step.rule.span / step.rule.weight * flat(result.velocities).norm() /
                        std::sqrt(3.0 * step.positions.size());
     const double turn =
-        std::sqrt(scene.scene.tolerance * shortest_arm(scene.scene.types) * way) / scene.smallest_radius;
+        std::sqrt(tolerance_of(scene, step) * shortest_arm(scene.scene.types) * way) / scene.smallest_radius;
     const double cutoff = scene.contact_scale.min_cutoff_per_radius;
     if (!(move > std::min(joint_move_tolerance * cutoff, turn)) || !result.is_converged) break;
     if (round == max_iterations) {
@@ -179,7 +185,7 @@ Vec3 mean_flow(const StepScene& scene, const Beads& velocities) {
   if (!scene.scene.memory) return Vec3::Zero();
   Vec3 flow = -excess_momentum(scene, velocities) / scene.fluid_mass;
   for (int a = 0; a < 3; ++a)
-    if (scene.scene.box->has_mirrors(a)) flow[a] = 0;
+    if (scene.scene.domain.box->has_mirrors(a)) flow[a] = 0;
   return flow;
 }
 

@@ -45,7 +45,7 @@ struct StepScene {
   /// m' of each bead; empty without memory.
   std::vector<double> excess_masses = beadswim::excess_masses(scene);
   /// rho V: mass of fluid that would fill the box; 0 without memory.
-  double fluid_mass = scene.memory ? scene.memory->density * scene.box->lengths.prod() : 0;
+  double fluid_mass = scene.memory ? scene.memory->density * scene.domain.box->lengths.prod() : 0;
 };
 
 /// Histories r of a time step (StepRule).
@@ -54,13 +54,21 @@ struct StepHistory {
   Beads velocities;     ///< in w v - r = h dv/dt [length/time]; used only with memory of the fluid
 };
 
+/// Thermal noise in a time step (thermal_noise.hpp).
+struct StepNoise {
+  Beads velocities;  ///< w, added to those by forces [length/time]
+  Beads
+      mobility_at;  ///< displacements from the start of the step at which the mobility is evaluated [length]
+};
+
 /// A time step. The vectors of all beads are equal on all ranks, and must outlive this object.
 struct StepStart {
   const StepRule& rule;
   const Beads& positions;        ///< at the start of the step [length]
   const StepHistory& history;    ///< r
   const Beads& expansion_point;  ///< u*, at first a guess of the displacements u [length]
-  const Beads& distant;          ///< d, velocities in the flow of all other swimmers [length/time]
+  const Beads& distant;  ///< d, velocities in the flow of all other swimmers, and by noise [length/time]
+  const StepNoise* noise = nullptr;  ///< null: none
 };
 
 /// Contacts of a swimmer at u*: with itself, and external ones with other swimmers and with images.

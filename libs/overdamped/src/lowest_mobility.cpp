@@ -10,16 +10,16 @@
 
 namespace beadswim {
 
-bool has_close_spheres(std::span<const Vec3> positions, std::span<const double> radii,
-                       const std::optional<Box>& box, const std::optional<HalfSpace>& half_space) {
+bool has_close_spheres(std::span<const Vec3> positions, std::span<const double> radii, const Domain& domain) {
   constexpr double near = 2;  // distance of centres, divided by the sum of the radii; height, by the radius
   bool is_close = false;
-  for (std::size_t b = 0; b < positions.size() && half_space; ++b)
-    is_close = is_close || half_space->height(positions[b]) < near * radii[b];
-  visit_close_pairs(positions, 2 * near * std::ranges::max(radii), box, [&](int i, int j, const Vec3& d) {
-    is_close = is_close || d.norm() < near * (radii[i] + radii[j]);
-    return !is_close;
-  });
+  for (std::size_t b = 0; b < positions.size() && domain.half_space; ++b)
+    is_close = is_close || domain.half_space->height(positions[b]) < near * radii[b];
+  visit_close_pairs(positions, 2 * near * std::ranges::max(radii), domain.box,
+                    [&](int i, int j, const Vec3& d) {
+                      is_close = is_close || d.norm() < near * (radii[i] + radii[j]);
+                      return !is_close;
+                    });
   return is_close;
 }
 

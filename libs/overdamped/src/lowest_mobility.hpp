@@ -15,8 +15,7 @@ namespace beadswim {
 /// eigenvalue that is not positive: with centres nearer than twice the sum of the radii, or a height below
 /// two radii. (Equal spheres in dense lattices need 3.1 radii between centres, one sphere a height of 9/8
 /// radii.)
-bool has_close_spheres(std::span<const Vec3> positions, std::span<const double> radii,
-                       const std::optional<Box>& box, const std::optional<HalfSpace>& half_space);
+bool has_close_spheres(std::span<const Vec3> positions, std::span<const double> radii, const Domain& domain);
 
 /// Returns the bead that moves most against some forces if the mobility, in units of that of each bead alone,
 /// has an eigenvalue that is not positive. Then these forces gain work from the fluid. `root_mobility`:

@@ -18,10 +18,9 @@ double error_across_wall(double height, MobilityModel model, int moment_order) {
   const Vec3 place = std::max(height, lowest) * Vec3::UnitZ(), force = Vec3::UnitZ();
   const MobilityScene scene{.model = model,
                             .viscosity = 1 / (6 * std::numbers::pi),
-                            .box = {},
+                            .domain = {.box = {}, .half_space = HalfSpace{}},
                             .radii = {1},
-                            .moment_order = moment_order,
-                            .half_space = HalfSpace{}};
+                            .moment_order = moment_order};
   Vec3 velocity;
   const Communicator self(MPI_COMM_SELF);
   Mobility(scene, {&place, 1}, self).apply({&force, 1}, {&velocity, 1});

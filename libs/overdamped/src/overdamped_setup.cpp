@@ -10,6 +10,7 @@
 #include "beadswim/core/setting.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/step_mobility.hpp"
+#include "beadswim/overdamped/contacts.hpp"
 
 namespace beadswim {
 namespace {
@@ -39,28 +40,70 @@ void check_unsteady_scene(const Layout& layout, const std::string& source) {
         fmt::format("the model unsteady lacks background flow; use {} rpy or multipole", Setting::model));
 }
 
+/// Throws InputError if the model cannot have thermal noise.
+void require_model_with_noise(const Layout& layout, MobilityModel model, const std::string& source) {
+  const bool is_unsteady = model == MobilityModel::unsteady;
+  if (layout.fluid.thermal_energy == 0 || (model != MobilityModel::oseen && !is_unsteady)) return;
+  throw InputError(
+      source + ":/fluid/thermal_energy",
+      is_unsteady ? fmt::format("the model unsteady lacks thermal noise; use {}", models_with_noise(layout))
+                  : fmt::format("the mobility of the model oseen is not positive, so that it has no thermal "
+                                "noise; use {} rpy",
+                                Setting::model));
+}
+
 /// Throws InputError if the box is too narrow for the Ewald sum or for contacts between beads and images.
 void require_room(const OverdampedScene& scene, const std::string& source) {
   const double largest = largest_radius(scene.types);
   constexpr double radii = 4.4;  // in narrower boxes a bead may touch two images of one bead
-  for (int a = 0; a < 3 && scene.box; ++a) {
-    if (scene.box->lengths[a] >= radii * largest) continue;
+  for (int a = 0; a < 3 && scene.domain.box; ++a) {
+    if (scene.domain.box->lengths[a] >= radii * largest) continue;
     throw InputError(fmt::format("{}:/domain/lengths/{}", source, a),
                      fmt::format("the box length {:.6g} is less than {} radii of the largest bead, {:.6g}; "
                                  "enlarge the box or use {} lbm",
-                                 scene.box->lengths[a], radii, radii * largest, Setting::model));
+                                 scene.domain.box->lengths[a], radii, radii * largest, Setting::model));
   }
 }
 
-/// Returns the number of time steps per base period.
-long steps_in_base_period(const Layout& layout, const MobilitySettings& settings, int frames_per_cycle) {
-  const double period = base_period(layout);
-  const int per_shortest_period =
-      settings.steps_per_cycle.value_or(MobilitySettings::default_steps_per_cycle);
-  const long steps =
-      std::lround(std::ceil(per_shortest_period * period / std::min(period, shortest_period(layout)) - 1e-9));
-  if (settings.steps_per_cycle) return steps;
-  return (steps + frames_per_cycle - 1) / frames_per_cycle * frames_per_cycle;
+/// Returns the number of time steps per base period that contacts need against thermal noise: a step may move
+/// a bead by a tenth of the smallest cutoff of contacts d, (2 kT mu h)^(1/2) <= d/10. Returns 0 if no bead
+/// can touch another or a wall.
+double steps_against_noise(const Layout& layout, const OverdampedScene& scene) {
+  const bool is_alone = scene.swimmers.size() == 1 && scene.types[0].beads.size() == 1;
+  if (layout.fluid.thermal_energy == 0 || (is_alone && !scene.domain.box && !scene.domain.half_space))
+    return 0;
+  const double radius = smallest_radius(layout);
+  const double d = ContactScale(scene).min_cutoff_per_radius * radius;
+  const double diffusion = layout.fluid.thermal_energy * self_mobility(radius, scene.viscosity);
+  constexpr double part = 0.1;
+  return base_period(layout) * 2 * diffusion / std::pow(part * d, 2);
+}
+
+/// Returns the number of time steps per base period. With thermal noise, frames lie on steps.
+long steps_in_base_period(const Layout& layout, const OverdampedScene& scene,
+                          const MobilitySettings& settings, int frames_per_cycle, const std::string& source) {
+  const double period = base_period(layout), shorter = period / std::min(period, shortest_period(layout));
+  const auto rounded_up = [&](double steps) {
+    const auto whole = static_cast<long>(std::ceil(steps - 1e-9));
+    return (whole + frames_per_cycle - 1) / frames_per_cycle * frames_per_cycle;
+  };
+  const double needed = steps_against_noise(layout, scene);
+  constexpr double most = 1e8;
+  if (needed > most)
+    throw InputError(source,
+                     fmt::format("thermal noise needs {:.2g} time steps in a period, for contacts to "
+                                 "hold against it, above the limit of {:.0e}; use a shorter period or "
+                                 "a lower {}",
+                                 needed, most, Setting::thermal_energy));
+  if (!settings.steps_per_cycle)
+    return rounded_up(std::max(MobilitySettings::default_steps_per_cycle * shorter, needed));
+  const double steps = *settings.steps_per_cycle * shorter;
+  if (steps < needed * (1 - 1e-9))
+    throw InputError(Setting::steps_per_cycle,
+                     "contacts do not hold against the thermal noise of so long time steps; use at least "
+                     "{} {}, or leave it out",
+                     static_cast<long>(std::ceil(needed / shorter)), Setting::steps_per_cycle);
+  return needed > 0 ? rounded_up(steps) : std::lround(std::ceil(steps - 1e-9));
 }
 
 // --- Memory of the fluid (mobility/fluid_memory.hpp): its mesh and limits. Page:
@@ -146,7 +189,7 @@ FluidMemory fluid_memory(const Layout& layout, const OverdampedScene& scene, boo
                            .step = scene.step,
                            .spacing = std::min(per_radius * smallest, per_depth * depth),
                            .has_reynolds_stress = has_reynolds_stress};
-  const double points = (mirrored_lengths(scene.box) / memory.spacing).prod();
+  const double points = (mirrored_lengths(scene.domain.box) / memory.spacing).prod();
   if (points <= max_mesh_points) return memory;
   throw InputError(
       source,
@@ -159,27 +202,31 @@ FluidMemory fluid_memory(const Layout& layout, const OverdampedScene& scene, boo
                 "the periodic cube of edge {:.4g} that replaces open space in the model unsteady needs "
                 "a mesh of {:.2g} points, above the limit of {:.2g}; move the swimmers closer, give a "
                 "box, or use {} rpy",
-                scene.box->lengths[0], points, max_mesh_points, Setting::model));
+                scene.domain.box->lengths[0], points, max_mesh_points, Setting::model));
 }
 
 /// Returns the scene of a layout, in its units, with this number of time steps per base period. Throws the
 /// errors of overdamped_setup().
 OverdampedScene scene_of(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
-                         long steps_per_cycle, const std::string& source) {
+                         int frames_per_cycle, const std::string& source) {
   OverdampedScene scene;
   scene.model = model;
   scene.moment_order = has_moment_order(model) ? settings.multipole_order : 0;
   scene.viscosity = layout.fluid.dynamic_viscosity();
   check_no_slip_walls(layout, source);
+  require_model_with_noise(layout, model, source);
   if (model == MobilityModel::unsteady) check_unsteady_scene(layout, source);
-  scene.box = layout.domain.box;
-  scene.half_space = layout.domain.half_space;
+  scene.domain = layout.domain;
   scene.flow = layout.flow;
   scene.tolerance = settings.tolerance;
+  scene.thermal_energy = layout.fluid.thermal_energy;
+  scene.seed = static_cast<std::uint64_t>(settings.seed.value_or(layout.seed.value_or(1)));
+  scene.noise_tolerance = settings.noise_tolerance;
   static_cast<Swarm&>(scene) = placed_swimmers(layout);
-  if (model == MobilityModel::unsteady && !scene.box) scene.box = box_for_open_space(scene);
+  if (model == MobilityModel::unsteady && !scene.domain.box) scene.domain.box = box_for_open_space(scene);
   require_room(scene, source);
-  scene.step = base_period(layout) / static_cast<double>(steps_per_cycle);
+  const long steps = steps_in_base_period(layout, scene, settings, frames_per_cycle, source);
+  scene.step = base_period(layout) / static_cast<double>(steps);
   if (model == MobilityModel::unsteady)
     scene.memory = fluid_memory(layout, scene, settings.reynolds_stress, source);
   return scene;
@@ -190,9 +237,11 @@ OverdampedScene scene_of(const Layout& layout, MobilityModel model, const Mobili
 OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
                                  int frames_per_cycle, const std::string& source) {
   const UnitScales units = natural_units(layout);
-  const long steps = steps_in_base_period(layout, settings, frames_per_cycle);
-  scene_of(layout, model, settings, steps, source);  // errors state numbers in the units of the layout
-  return {.scene = scene_of(in_units(layout, units), model, settings, steps, source),
+  scene_of(layout, model, settings, frames_per_cycle, source);  // errors state numbers in the layout's units
+  const Layout natural = in_units(layout, units);
+  OverdampedScene scene = scene_of(natural, model, settings, frames_per_cycle, source);
+  const long steps = std::lround(base_period(natural) / scene.step);
+  return {.scene = std::move(scene),
           .units = units,
           .base_period = base_period(layout),
           .steps_per_cycle = steps};

@@ -13,6 +13,7 @@
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "implicit_step.hpp"
 #include "lowest_mobility.hpp"
+#include "thermal_noise.hpp"
 
 namespace beadswim {
 namespace {
@@ -66,6 +67,9 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
       radii_(bead_radii(scene_)),
       mobility_(mobility_scene(scene_), start_positions(scene_), communicator),
       step_scene_(new StepScene{.scene = scene_, .radii = radii_, .communicator = communicator_}) {
+  if (scene_.thermal_energy > 0)
+    mobility_root_ = std::make_unique<MobilityRoot>(mobility_scene(scene_), start_positions(scene_),
+                                                    scene_.noise_tolerance, mobility_, communicator_);
   const Beads nowhere(radii_.size(), Vec3::Zero());
   state_.positions.fill(start_positions(scene_));
   state_.velocities.fill(nowhere);
@@ -91,9 +95,10 @@ std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
 
 /// Solves one step from the present positions. Adds the mobility products that this needs to state_.work.
 ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const StepHistory& history,
-                                                const Beads& guess, const Beads& distant) {
-  ImplicitStepResult result =
-      solve_implicit_step(*step_scene_, mobility_, {rule, state_.positions[0], history, guess, distant});
+                                                const Beads& guess, const Beads& distant,
+                                                const StepNoise* noise) {
+  ImplicitStepResult result = solve_implicit_step(
+      *step_scene_, mobility_, {rule, state_.positions[0], history, guess, distant, noise});
   state_.work.add(result.work);
   is_converged_ = is_converged_ && result.is_converged;
   return result;
@@ -121,6 +126,7 @@ void OverdampedSystem::solve_initial_velocities() {
   ImplicitStepResult result = solve_step(rule, {nowhere, {}}, nowhere, state_.distant[0]);
   state_.smallest_gap = result.smallest_gap;
   state_.velocities[0] = std::move(result.velocities);
+  if (scene_.thermal_energy > 0) state_.smooth = state_.velocities[0];
   state_.distant[0] = std::move(result.distant);
   moments_ = std::move(result.moments);
   forces_ = std::move(result.forces);
@@ -193,6 +199,29 @@ void OverdampedSystem::take_bdf_step() {
   accept(std::move(result));
 }
 
+/// Takes one step of the implicit midpoint rule with thermal noise: half a step of implicit Euler, continued
+/// to a whole one. The mobility is that at the middle of a step with the velocities of the last step, whose
+/// noise does not depend on the present one.
+void OverdampedSystem::take_noisy_step() {
+  const double half = scene_.step / 2;
+  const Beads nowhere(radii_.size(), Vec3::Zero());
+  ThermalNoise thermal =
+      thermal_noise(*step_scene_, mobility_, *mobility_root_, state_.positions[0], state_.steps_done);
+  add_work(thermal.work);
+  is_converged_ = is_converged_ && thermal.is_converged;
+  state_.noise_error = std::max(state_.noise_error, thermal.error);
+  const StepNoise noise{.velocities = std::move(thermal.velocities),
+                        .mobility_at = weighted_sum<Vec3>({{half, &state_.smooth}})};
+  const StepRule rule{.weight = 1, .span = half, .time = time() + half};
+  const Beads distant = weighted_sum<Vec3>({{1, &state_.distant[0]}, {1, &noise.velocities}});
+  ImplicitStepResult result = solve_step(rule, {nowhere, {}}, nowhere, distant, &noise);
+  state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
+  flat(result.displacements) *= 2;
+  flat(result.distant) -= flat(noise.velocities);
+  state_.smooth = weighted_sum<Vec3>({{1, &result.velocities}, {-1, &noise.velocities}});
+  accept(std::move(result));
+}
+
 // The fluid that a bead displaces moves with it, so that the bead exerts F on the fluid beyond the force on
 // that part: force of the fluid on the bead = -F + m_f dv/dt.
 std::vector<Vec3> OverdampedSystem::fluid_forces() const {
@@ -238,16 +267,19 @@ void OverdampedSystem::step() {
     ++state_.steps_done;
     return;
   }
+  if (scene_.thermal_energy > 0) return take_noisy_step();
   state_.steps_done < 2 && !scene_.memory ? take_first_step() : take_bdf_step();
 }
 
 void OverdampedSystem::update_extremes() {
   for (std::size_t b = 0; b < radii_.size(); ++b) {
-    const Vec3 slip = state_.velocities[0][b] - scene_.flow.at(state_.positions[0][b]);
+    const Vec3& velocity = state_.smooth.empty() ? state_.velocities[0][b] : state_.smooth[b];
+    const Vec3 slip = velocity - scene_.flow.at(state_.positions[0][b]);
     state_.largest_speed = std::max(state_.largest_speed, slip.norm());
-    if (scene_.half_space)
-      state_.smallest_relative_height = std::min(
-          state_.smallest_relative_height, scene_.half_space->height(state_.positions[0][b]) / radii_[b]);
+    if (scene_.domain.half_space)
+      state_.smallest_relative_height =
+          std::min(state_.smallest_relative_height,
+                   scene_.domain.half_space->height(state_.positions[0][b]) / radii_[b]);
   }
 }
 
@@ -267,7 +299,7 @@ std::optional<Fault> OverdampedSystem::mobility_fault() {
   state_.checked_steps = state_.steps_done;
   state_.checked_gap = state_.smallest_gap / *std::ranges::min_element(radii_);
   state_.checked_height = state_.smallest_relative_height;
-  if (!has_close_spheres(positions(), radii_, scene_.box, scene_.half_space)) return std::nullopt;
+  if (!has_close_spheres(positions(), radii_, scene_.domain)) return std::nullopt;
   Eigen::VectorXd root_mobility(3 * radii_.size());
   for (std::size_t b = 0; b < radii_.size(); ++b)
     root_mobility.segment<3>(3 * b).setConstant(std::sqrt(self_mobility(radii_[b], scene_.viscosity)));
@@ -304,11 +336,13 @@ void OverdampedSystem::check_faults() {
       const double moved = (now[b] - before[b] - drift).norm() / radii_[b];
       if (!std::isfinite(moved)) record(FaultKind::not_finite, moved);
       if (moved > 1) record(FaultKind::displacement, moved);
-      if (const double into = scene_.half_space ? radii_[b] - scene_.half_space->height(now[b]) : 0; into > 0)
+      if (const double into =
+              scene_.domain.half_space ? radii_[b] - scene_.domain.half_space->height(now[b]) : 0;
+          into > 0)
         record(FaultKind::in_wall, into / radii_[b]);
-      for (int a = 0; a < 3 && scene_.box; ++a) {
-        const double beyond = std::max(-now[b][a], now[b][a] - scene_.box->lengths[a]);
-        if (scene_.box->has_mirrors(a) && beyond > 0) record(FaultKind::beyond_wall, beyond);
+      for (int a = 0; a < 3 && scene_.domain.box; ++a) {
+        const double beyond = std::max(-now[b][a], now[b][a] - scene_.domain.box->lengths[a]);
+        if (scene_.domain.box->has_mirrors(a) && beyond > 0) record(FaultKind::beyond_wall, beyond);
       }
     }
     auto torn = torn_arm(type, id, [&, &now = now](int b) { return now[first + b]; });
@@ -324,7 +358,7 @@ void OverdampedSystem::restore(OverdampedState state, std::span<const double> me
   if (!std::ranges::all_of(state.positions, has_all_beads) ||
       !std::ranges::all_of(state.velocities, has_all_beads) ||
       !std::ranges::all_of(state.distant, has_all_beads) ||
-      state.lowest_mode.size() != state_.lowest_mode.size())
+      state.lowest_mode.size() != state_.lowest_mode.size() || state.smooth.size() != state_.smooth.size())
     throw DataError("the number of beads in the checkpoint differs from the number of beads in the layout");
   state_ = std::move(state);
   if (scene_.memory) mobility_.restore_memory(memory);

@@ -26,7 +26,7 @@ struct StepCost {
 
 /// Returns the number of points of the mesh of a fluid with memory.
 double mesh_points(const OverdampedScene& scene) {
-  return (mirrored_lengths(scene.box) / scene.memory->spacing).prod();
+  return (mirrored_lengths(scene.domain.box) / scene.memory->spacing).prod();
 }
 
 /// Returns the number of fields on this mesh: one per degree of moments and radius.
@@ -103,7 +103,7 @@ void set_cost(PlannedRun& run, const OverdampedSetup& setup, long steps_done,
   // Counted and measured by docs/results/plan-costs.sh; bytes per bead without moments by beadswim-bench
   // (docs/performance.md). With moments there are 2.1 products per step, the second mostly without
   // iterations: with 1.2, the cost of cycles on record is 0.9 to 1 times the expected cost.
-  const bool is_alone = setup.scene.swimmers.size() == 1 && !setup.scene.box,
+  const bool is_alone = setup.scene.swimmers.size() == 1 && !setup.scene.domain.box,
              has_memory = setup.scene.memory.has_value();
   const double first_products = has_memory ? 6 : is_alone ? 13 : 26;
   double products_per_step = is_alone ? 1 : 1.5;
@@ -122,8 +122,8 @@ void set_cost(PlannedRun& run, const OverdampedSetup& setup, long steps_done,
   const StepCost cost = is_large ? estimated_cost(setup.scene) : measured_cost(setup.scene, communicator);
   run.core_seconds = rest_of_step * swimmers * steps +
                      (products_per_step * steps + first_products) * cost.product + steps * cost.end_of_step;
-  run.memory_bytes = static_cast<double>(beads) * (setup.scene.box ? bytes_in_box : bytes_in_open) +
-                     std::ldexp(static_cast<double>(beads), mirror_count(setup.scene.box)) *
+  run.memory_bytes = static_cast<double>(beads) * (setup.scene.domain.box ? bytes_in_box : bytes_in_open) +
+                     std::ldexp(static_cast<double>(beads), mirror_count(setup.scene.domain.box)) *
                          bytes_of_moments[order] * communicator.size() +
                      mesh_bytes(setup.scene);
   complete_cost(run, beads, 0, communicator.size());

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "beadswim/core/setting.hpp"
+
 namespace beadswim {
 
 Eigen::Matrix3d Swimmer::orientation() const {
@@ -77,6 +79,16 @@ double shortest_period(const Layout& layout) {
     });
   }
   return shortest;
+}
+
+std::string models_with_noise(const Layout& layout) {
+  double period = std::numeric_limits<double>::infinity();
+  for (const Swimmer& swimmer : layout.swimmers) period = std::min(period, layout.driving_of(swimmer).period);
+  const double radius = smallest_radius(layout);
+  return fmt::format(
+      "{} rpy, rpy+near or multipole, which neglect the inertia of the fluid: its momentum spreads around "
+      "a bead within {:.2g} periods, which must be little",
+      Setting::model, radius * radius / (layout.fluid.kinematic_viscosity * period));
 }
 
 }  // namespace beadswim

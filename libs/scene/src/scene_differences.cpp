@@ -97,7 +97,8 @@ std::string text_of(const std::vector<FieldLeaf>& leaves) {
 /// Returns true for a field of a layout that belongs to all swimmers. Units are equal, and the resolution is
 /// a proposal.
 bool is_common(const std::string& field) {
-  return field != "units" && field != "types" && field != "swimmers" && field != "resolution";
+  return field != "units" && field != "types" && field != "swimmers" && field != "resolution" &&
+         field != "seed";
 }
 
 std::string domain_text(const Domain& domain) {
@@ -254,8 +255,9 @@ SceneProperties common_properties(const Layout& layout) {
   };
   visit_fields(append, layout);
   SceneProperties properties = properties_of(std::move(leaves));
-  properties["fluid"].text =
-      fmt::format("density {}, viscosity {}", layout.fluid.density, layout.fluid.kinematic_viscosity);
+  const auto& [density, viscosity, thermal_energy] = layout.fluid;
+  properties["fluid"].text = fmt::format("density {}, viscosity {}", density, viscosity);
+  if (thermal_energy > 0) properties["fluid"].text += fmt::format(", kT {}", thermal_energy);
   properties["domain"].text = domain_text(layout.domain);
   std::vector<int> ids;
   for (const Swimmer& swimmer : layout.swimmers) ids.push_back(swimmer.id);

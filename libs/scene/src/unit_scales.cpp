@@ -44,6 +44,7 @@ void visit_layout(auto& layout, const UnitScales& units, auto&& visit) {
   };
   visit("fluid density", layout.fluid.density, units.density);
   visit("kinematic viscosity", layout.fluid.kinematic_viscosity, units.length * units.velocity());
+  visit("thermal energy", layout.fluid.thermal_energy, units.energy());
   if (auto& box = layout.domain.box) {
     visit_components("box length", box->lengths, units.length);
     for (auto& walls : box->walls)

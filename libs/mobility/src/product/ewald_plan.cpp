@@ -27,6 +27,11 @@ constexpr std::array<Work, 3> works{
     Work{}, Work{.pair = 15, .window_point = 0.5, .mesh_point = 5, .mirror_pairs_per_mesh_point = 0.6},
     Work{.pair = 60, .window_point = 0.7, .mesh_point = 5, .mirror_pairs_per_mesh_point = 0.2}};
 
+/// Largest xi a of an Ewald sum whose near part must be positive. In dense random systems of equal and
+/// unequal spheres its smallest eigenvalue is then 0.06 times the mobility of a sphere, and -0.08 at xi a =
+/// 0.9.
+constexpr double largest_positive = 0.6;
+
 /// Returns the number of points of a mesh in a box with these edges.
 double mesh_points(const EwaldScene& scene, const EwaldPlan& plan, const Vec3& lengths) {
   double points = 1;
@@ -52,7 +57,10 @@ double work(const EwaldScene& scene, const EwaldPlan& plan) {
     return scene.points * (work_per_near_point[scene.moment_order] * neighbours +
                            work_per_gathered_point * std::pow(plan.window, 3)) +
            on_mesh;
-  return each.pair * scene.beads * neighbours / 2 + on_mesh;
+  const double on_pairs = each.pair * scene.beads * neighbours / 2;
+  constexpr double near_sums = 8,
+                   share_on_mesh = 0.7;  // of a root: noise needs no spreading, but random numbers
+  return scene.is_for_root ? near_sums * on_pairs + share_on_mesh * on_mesh : on_pairs + on_mesh;
 }
 
 /// Returns true if a mesh that also contains the mirror points takes less time than a sum over all pairs of a
@@ -130,6 +138,8 @@ EwaldPlan plan_ewald(const EwaldScene& asked) {
   // periodic box, or V^(1/3) in open space, where V is the volume of the box around all beads.
   const double max_cutoff = scene.is_periodic ? shortest / 2 : std::cbrt(volume);
   const double min_cutoff = 2 * scene.largest_radius;  // the sum over pairs must include overlapping beads
+  // The near part is positive for small xi a only.
+  const double max_xi = scene.is_for_root ? largest_positive / scene.largest_radius : INFINITY;
   if (max_cutoff < min_cutoff)
     throw InputError("box", fmt::format("the shortest box edge {} is less than four times the largest bead "
                                         "radius {}; enlarge the box or use open space ({})",
@@ -142,14 +152,17 @@ EwaldPlan plan_ewald(const EwaldScene& asked) {
     double xi = 5 / cutoff;
     for (int i = 0; i < 5; ++i)
       xi *= plan_with(scene, xi).cutoff / cutoff;  // xi * cutoff depends weakly on xi
-    EwaldPlan plan = plan_with(scene, xi);
+    EwaldPlan plan = plan_with(scene, std::min(xi, max_xi));
+    if (scene.is_for_root && plan.cutoff > max_cutoff) continue;
     plan.cutoff = std::min(plan.cutoff, max_cutoff);
     if (const double w = work(scene, plan); w < minimum) {
       minimum = w;
       best = plan;
     }
   }
+  if (best.xi == 0) return best;  // no positive parts in so narrow a box
   best.has_mirror_points = has_mirror_points(scene, best);
+  best.is_positive = scene.is_for_root;
   constexpr double max_points = 1e9;
   if (const double points = mesh_points(scene, best, scene.lengths); points > max_points)
     throw InputError("box",

@@ -2,7 +2,9 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "beadswim/mobility/ewald_split.hpp"
 
@@ -14,9 +16,9 @@ ImagedSpheres imaged_spheres(const MobilityScene& scene) {
   ImagedSpheres spheres{.order = highest_moment(scene),
                         .viscosity = scene.viscosity,
                         .radii = scene.radii,
-                        .lengths = mirrored_lengths(scene.box)};
+                        .lengths = mirrored_lengths(scene.domain.box)};
   if (!has_finite_radii(scene.model)) std::ranges::fill(spheres.radii, 0);
-  for (int m = 0; m < mirror_count(scene.box); ++m) {
+  for (int m = 0; m < mirror_count(scene.domain.box); ++m) {
     const std::vector<double> present = spheres.radii;
     spheres.radii.insert(spheres.radii.end(), present.begin(), present.end());
   }
@@ -65,17 +67,17 @@ void sum_over_ranks(std::span<double> numbers, const Communicator& communicator)
 
 GrandMobility::GrandMobility(const MobilityScene& scene, const std::optional<EwaldPlan>& plan,
                              const Communicator& communicator)
-    : box_(scene.box),
-      half_space_(scene.half_space),
+    : domain_(scene.domain),
       radii_(scene.radii),
       spheres_(imaged_spheres(scene)),
       communicator_(communicator),
+      is_for_noise_(plan && plan->is_positive),
       pairs_(spheres_, plan, 2 * *std::ranges::max_element(scene.radii)) {
-  if (scene.half_space) wall_.emplace(spheres_, *scene.half_space, plan);
+  if (scene.domain.half_space) wall_.emplace(spheres_, *scene.domain.half_space, plan);
   const std::optional<FluidMemory> memory = inertial_memory(scene.memory);
   if (plan)
-    mesh_ = std::make_unique<ParticleMesh>(*plan, spheres_, memory, scene.half_space, Receivers::spheres,
-                                           communicator);
+    mesh_ = std::make_unique<ParticleMesh>(*plan, spheres_, memory, scene.domain.half_space,
+                                           Receivers::spheres, communicator);
   if (memory) unresolved_.emplace(radii_, order(), scene.viscosity, *memory, mesh_->memory()->cutoff());
   std::map<double, std::shared_ptr<const SelfMobility>> by_radius;
   for (std::size_t b = 0; b < radii_.size(); ++b) {
@@ -93,7 +95,9 @@ GrandMobility::SelfMobility GrandMobility::self_mobility_of(std::size_t sphere,
   if (!plan) return self;
   const double radius = spheres_.radii[sphere];
   if (order() == 0)
-    self.beside_mesh.diagonal().array() -= far_self_mobility(plan->xi, radius * radius, spheres_.viscosity);
+    self.beside_mesh.diagonal().array() -= far_self_mobility(
+        plan->xi, {.squares = 2 * radius * radius, .product = plan->is_positive ? std::pow(radius, 4) : 0},
+        spheres_.viscosity);
   else
     self.beside_mesh -= far_moment_self_mobility(plan->xi, order(), radius, spheres_.viscosity);
   return self;
@@ -101,11 +105,11 @@ GrandMobility::SelfMobility GrandMobility::self_mobility_of(std::size_t sphere,
 
 void GrandMobility::set_positions(std::span<const Vec3> positions) {
   std::vector<Vec3> places(positions.begin(), positions.end());
-  add_mirror_images(box_, places);
+  add_mirror_images(domain_.box, places);
   pairs_.set_positions(places, positions.size());
   if (mesh_) {
     mesh_->set_sources(places, bounding_box(positions));
-    mesh_->set_receivers(positions);
+    mesh_->set_receivers(is_for_noise_ ? places : positions);
   }
   if (wall_) wall_->set_positions(positions);
 }
@@ -116,7 +120,7 @@ std::vector<double> GrandMobility::sources_of(std::span<const double> moments) c
   std::vector<double> sources(elements * radii_.size());
   for (std::size_t b = 0; b < radii_.size(); ++b)
     source_of_moments(order(), radii_[b], &moments[count * b], &sources[elements * b]);
-  add_mirror_sources(box_, order(), sources);
+  add_mirror_sources(domain_.box, order(), sources);
   return sources;
 }
 
@@ -127,7 +131,7 @@ void GrandMobility::apply(std::span<const double> moments, std::span<double> pro
   std::vector<double> flows(elements * radii_.size(), 0.0);
   std::vector<MirrorFlow> at_mirrors(wall_ ? radii_.size() : 0);
   pairs_.add_flows(sources, flows, communicator_);
-  if (mesh_) mesh_->add_flows(sources, part, flows, at_mirrors);
+  if (mesh_ && part != FlowPart::near) mesh_->add_flows(sources, part, flows, at_mirrors);
   if (wall_) wall_->add_flows(sources, at_mirrors, flows, communicator_);
   sum_over_ranks(flows, communicator_);
   for (std::size_t b = 0; b < radii_.size(); ++b) {
@@ -138,12 +142,29 @@ void GrandMobility::apply(std::span<const double> moments, std::span<double> pro
   if (unresolved_) unresolved_->add_projections(moments, part, projections);
 }
 
+// The sum over all images in the doubled box has 2^m times the covariance of the spheres, for m axes with
+// mirrors.
+void GrandMobility::set_far_noise(std::uint64_t seed, std::span<double> velocities) {
+  std::vector<double> flows(3 * spheres_.radii.size(), 0.0);
+  mesh_->set_noise(seed);
+  mesh_->gather_flows(flows, {});
+  for (int a = 2; a >= 0; --a) {
+    if (!domain_.box->has_mirrors(a)) continue;
+    const std::size_t half = flows.size() / 2;
+    for (std::size_t k = 0; k < half; ++k)
+      flows[k] = (flows[k] + (static_cast<int>(k % 3) == a ? -1 : 1) * flows[half + k]) / std::numbers::sqrt2;
+    flows.resize(half);
+  }
+  sum_over_ranks(flows, communicator_);
+  std::ranges::copy(flows, velocities.begin());
+}
+
 void GrandMobility::add_flow_at(std::span<const Vec3> points, std::span<const Vec3> positions,
                                 std::span<const double> moments, const std::optional<EwaldPlan>& plan,
                                 std::span<const int> spheres, std::span<Vec3> velocities) {
   const std::vector<double> sources = sources_of(moments);
   std::vector<Vec3> places(positions.begin(), positions.end());
-  add_mirror_images(box_, places);
+  add_mirror_images(domain_.box, places);
   const bool is_mirrored_on_mesh = plan && plan->has_mirror_points;
   SourceSum near(spheres_, Receivers::points, plan),
       mirrors(spheres_, Receivers::points, is_mirrored_on_mesh ? plan : std::nullopt);
@@ -151,17 +172,17 @@ void GrandMobility::add_flow_at(std::span<const Vec3> points, std::span<const Ve
   mirrors.set_positions(places);
   std::optional<ParticleMesh> mesh;
   if (plan) {
-    mesh.emplace(*plan, spheres_, std::nullopt, half_space_, Receivers::points, communicator_);
+    mesh.emplace(*plan, spheres_, std::nullopt, domain_.half_space, Receivers::points, communicator_);
     mesh->set_sources(places, bounding_box(points));
     mesh->evaluate(sources, FlowPart::forces);
   }
   if (has_memory()) mesh_->evaluate_remainder();
   constexpr std::size_t points_at_once = 1 << 15;  // bounds the memory for the flow at mirror points
-  const int axis = half_space_ ? half_space_->axis : 2;
+  const int axis = domain_.half_space ? domain_.half_space->axis : 2;
   for (std::size_t first = 0; first < points.size(); first += points_at_once) {
     const auto chunk = points.subspan(first, std::min(points_at_once, points.size() - first));
     std::vector<double> flows(3 * chunk.size(), 0.0);
-    std::vector<MirrorFlow> at_mirrors(half_space_ ? chunk.size() : 0);
+    std::vector<MirrorFlow> at_mirrors(domain_.half_space ? chunk.size() : 0);
     if (mesh) {
       mesh->set_receivers(chunk);
       mesh->gather_flows(flows, at_mirrors);
@@ -173,10 +194,11 @@ void GrandMobility::add_flow_at(std::span<const Vec3> points, std::span<const Ve
       near.add_flow(sources, chunk[p], axis, flow);
       for (int t = 0; t < 2; ++t) flows[3 * p + (axis + 1 + t) % 3] += flow.along[t][0];
       flows[3 * p + axis] += flow.across[0];
-      if (half_space_) mirrors.add_flow(sources, half_space_->mirrored(chunk[p]), axis, at_mirrors[p]);
+      if (domain_.half_space)
+        mirrors.add_flow(sources, domain_.half_space->mirrored(chunk[p]), axis, at_mirrors[p]);
     }
     for (std::size_t p = 0; p < at_mirrors.size(); ++p)
-      add_reflected_flow(0, axis, half_space_->height(chunk[p]), {}, at_mirrors[p], &flows[3 * p]);
+      add_reflected_flow(0, axis, domain_.half_space->height(chunk[p]), {}, at_mirrors[p], &flows[3 * p]);
     sum_over_ranks(flows, communicator_);
     for (std::size_t p = 0; p < chunk.size(); ++p) velocities[first + p] += Vec3::Map(&flows[3 * p]);
   }

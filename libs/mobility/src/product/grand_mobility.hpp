@@ -15,6 +15,11 @@
 
 namespace beadswim {
 
+/// Returns the parameters of an Ewald sum with positive parts, for the root of the mobility in a box; nullopt
+/// if the box is too narrow. Collective.
+std::optional<EwaldPlan> root_plan(const MobilityScene& scene, std::span<const Vec3> positions,
+                                   const Communicator& communicator);
+
 /// Matrix M from the moments of the forces on all spheres to the projections of their flow on the moments of
 /// all spheres (force_moments.hpp), and the memory of the fluid. It is the sum of parts, each made once:
 ///
@@ -35,6 +40,10 @@ class GrandMobility {
   /// Sets `projections` to M `moments`, moment_count() numbers per sphere each, with the projections of the
   /// flow that earlier forces have left if `part` asks for them. Collective.
   void apply(std::span<const double> moments, std::span<double> projections, FlowPart part);
+  /// Sets `velocities`, three numbers per sphere, to random ones whose covariance is the far part of the
+  /// Ewald sum. The random numbers depend on the seed and the wavevector. Only without moments and memory, in
+  /// boxes. Collective.
+  void set_far_noise(std::uint64_t seed, std::span<double> velocities);
   /// Adds the flow of the moments of spheres at `positions` at points without size, except at those that lie
   /// in a sphere (spheres[p] >= 0), and the flow by the memory of the fluid. `plan`: of the Ewald sum for the
   /// points; nullopt: all pairs are summed directly. Collective.
@@ -61,11 +70,11 @@ class GrandMobility {
   int order() const { return spheres_.order; }
   std::vector<double> sources_of(std::span<const double> moments) const;
 
-  std::optional<Box> box_;
-  std::optional<HalfSpace> half_space_;
+  Domain domain_;
   std::vector<double> radii_;  ///< of the spheres without images [length]
   ImagedSpheres spheres_;
   const Communicator& communicator_;
+  bool is_for_noise_;
   PairSum pairs_;
   std::unique_ptr<ParticleMesh> mesh_{};          ///< null: all pairs are summed without a mesh
   std::optional<WallImages> wall_{};              ///< nullopt: without half-space

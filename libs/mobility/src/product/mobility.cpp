@@ -42,9 +42,9 @@ void check(const MobilityScene& scene) {
   if (scene.moment_order < 0 || scene.moment_order > max_moment_order)
     throw InputError("mobility", fmt::format("the order {} of the force moments is invalid; give 0, 1 or 2",
                                              scene.moment_order));
-  if (scene.memory && !scene.box)
+  if (scene.memory && !scene.domain.box)
     throw InputError("mobility", "a fluid with memory needs a box; give a box, or leave the memory out");
-  if (scene.box && (scene.half_space || !scene.flow.is_zero()))
+  if (scene.domain.box && (scene.domain.half_space || !scene.flow.is_zero()))
     throw InputError("mobility",
                      "a half-space or a background flow is incompatible with a box; leave the box out");
   for (const int first : scene.lines)
@@ -53,8 +53,8 @@ void check(const MobilityScene& scene) {
                        fmt::format("three spheres on a line from index {} on go beyond the {} spheres; give "
                                    "the index of the first of the three",
                                    first, scene.radii.size()));
-  if (!scene.box) return;
-  for (const double length : scene.box->lengths)
+  if (!scene.domain.box) return;
+  for (const double length : scene.domain.box->lengths)
     if (!(length > 0 && std::isfinite(length)))
       throw InputError(
           "mobility",
@@ -62,17 +62,18 @@ void check(const MobilityScene& scene) {
 }
 
 EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positions) {
-  EwaldScene ewald{.lengths = mirrored_lengths(scene.box),
-                   .is_periodic = scene.box.has_value(),
-                   .beads = std::ldexp(static_cast<double>(scene.radii.size()), mirror_count(scene.box)),
-                   .largest_radius = *std::ranges::max_element(scene.radii),
-                   .moment_order = highest_moment(scene),
-                   .tolerance = scene.tolerance};
+  EwaldScene ewald{
+      .lengths = mirrored_lengths(scene.domain.box),
+      .is_periodic = scene.domain.box.has_value(),
+      .beads = std::ldexp(static_cast<double>(scene.radii.size()), mirror_count(scene.domain.box)),
+      .largest_radius = *std::ranges::max_element(scene.radii),
+      .moment_order = highest_moment(scene),
+      .tolerance = scene.tolerance};
   if (scene.memory) ewald.max_spacing = scene.memory->spacing;
-  if (scene.box) return ewald;
+  if (scene.domain.box) return ewald;
   const Eigen::AlignedBox3d bounds = bounding_box(positions);
   for (int a = 0; a < 3; ++a) ewald.lengths[a] = bounds.sizes()[a] + 2 * ewald.largest_radius;
-  if (const auto& half_space = scene.half_space) {
+  if (const auto& half_space = scene.domain.half_space) {
     ewald.lengths_with_mirror_points = ewald.lengths;
     (*ewald.lengths_with_mirror_points)[half_space->axis] =
         2 * (half_space->height(bounds.max()) + ewald.largest_radius);
@@ -82,11 +83,13 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
 
 /// Returns the parameters of the Ewald sum; nullopt if all pairs are summed directly.
 std::optional<EwaldPlan> plan_for(const MobilityScene& scene, std::span<const Vec3> positions,
-                                  const Communicator& communicator) {
+                                  const Communicator& communicator, bool is_for_root = false) {
   check(scene);
   check_size("positions", positions.size(), scene.radii.size());
-  if (!scene.box && scene.radii.size() < min_spheres_on_mesh) return std::nullopt;
-  EwaldPlan plan = plan_ewald(ewald_scene(scene, positions));
+  if (!scene.domain.box && scene.radii.size() < min_spheres_on_mesh) return std::nullopt;
+  EwaldScene ewald = ewald_scene(scene, positions);
+  ewald.is_for_root = is_for_root;
+  EwaldPlan plan = plan_ewald(ewald);
   // Roundoff may differ between processors, so all ranks use the plan of rank 0.
   if (communicator.size() > 1) MPI_Bcast(&plan, sizeof(EwaldPlan), MPI_BYTE, 0, communicator.get());
   return plan;
@@ -107,11 +110,11 @@ void add_velocities(double factor, std::span<const double> flow, std::span<Vec3>
 /// Returns the index of the sphere that contains each point; -1 if there is none.
 std::vector<int> spheres_around(const MobilityScene& scene, std::span<const Vec3> positions,
                                 std::span<const Vec3> points) {
-  const CellList cells(positions, *std::ranges::max_element(scene.radii), mirrored_lengths(scene.box));
+  const CellList cells(positions, *std::ranges::max_element(scene.radii), mirrored_lengths(scene.domain.box));
   std::vector<int> spheres(points.size(), -1);
   for (std::size_t p = 0; p < points.size(); ++p) {
     cells.visit_neighbours(points[p], [&](std::size_t sphere) {
-      if (nearest_separation(positions[sphere], points[p], scene.box).norm() < scene.radii[sphere])
+      if (nearest_separation(positions[sphere], points[p], scene.domain.box).norm() < scene.radii[sphere])
         spheres[p] = static_cast<int>(sphere);
       return spheres[p] < 0;
     });
@@ -120,6 +123,12 @@ std::vector<int> spheres_around(const MobilityScene& scene, std::span<const Vec3
 }
 
 }  // namespace
+
+std::optional<EwaldPlan> root_plan(const MobilityScene& scene, std::span<const Vec3> positions,
+                                   const Communicator& communicator) {
+  const std::optional<EwaldPlan> plan = plan_for(scene, positions, communicator, true);
+  return plan && plan->xi > 0 ? plan : std::nullopt;
+}
 
 /// The velocities v of free spheres follow from the forces F on them. The higher moments H of the force on
 /// each sphere make its surface move as a rigid body (force_moments.hpp). M is the grand mobility:
@@ -163,7 +172,7 @@ Mobility::Mobility(MobilityScene scene, std::span<const Vec3> positions, const C
   const std::optional<EwaldPlan> plan = plan_for(scene, positions, communicator);
   parts_.reset(new Parts{.scene = scene, .communicator = communicator, .plan = plan});
   if (scene.model == MobilityModel::rpy_near)
-    parts_->near_field.emplace(scene.radii, scene.lines, scene.viscosity, scene.box, scene.half_space);
+    parts_->near_field.emplace(scene.radii, scene.lines, scene.viscosity, scene.domain);
   // The strain, and so its power, does not depend on the positions.
   const std::vector<double> background =
       parts_->projected_background(std::vector<Vec3>(scene.radii.size(), Vec3::Zero()));
@@ -215,13 +224,14 @@ std::vector<double> Mobility::Parts::projected_background(std::span<const Vec3> 
 /// Returns the power of the forces, to which the residual is compared. With memory of the fluid or background
 /// flow, which can oppose the forces, it is the mean of F^2 mu and v^2/mu with the self-mobility mu of each
 /// sphere, which is at least as large. v is then relative to the background flow, whose dissipation by each
-/// sphere alone is added.
+/// sphere alone is added. The same without forces, whose flow is given.
 double Mobility::Parts::power(std::span<const Vec3> forces, std::span<const Vec3> velocities,
                               FlowPart part) const {
   const bool has_flow = has_background(part);
+  const bool is_free = std::ranges::all_of(forces, [](const Vec3& force) { return force.isZero(0); });
   double sum = has_flow ? background_power : 0;
   for (std::size_t b = 0; b < forces.size(); ++b) {
-    if (matrix.has_memory() || has_flow) {
+    if (matrix.has_memory() || has_flow || is_free) {
       const double mobility = self_mobility(1, scene.viscosity) / scene.radii[b];
       const Vec3 relative = has_flow ? Vec3(velocities[b] - scene.flow.at(positions[b])) : velocities[b];
       sum += (mobility * forces[b].squaredNorm() + relative.squaredNorm() / mobility) / 2;
@@ -334,6 +344,16 @@ ProductWork Mobility::apply(std::span<const Vec3> forces, std::span<Vec3> veloci
     moments[k] = 2 * history[k] - history[moments.size() + k];
   parts_->moments_in_step = std::move(moments);
   return parts_->solve(forces, velocities, part, parts_->moments_in_step);
+}
+
+ProductWork Mobility::move_in_flow(std::span<const double> projections, std::span<Vec3> velocities) {
+  std::vector<double> moments(parts_->size(), 0.0), flow(projections.begin(), projections.end());
+  std::ranges::fill(velocities, Vec3::Zero());
+  add_velocities(1, flow, velocities);
+  const std::vector<Vec3> no_forces(velocities.size(), Vec3::Zero());
+  const ProductWork work = parts_->iterate(no_forces, velocities, FlowPart::forces, std::move(flow), moments);
+  broadcast_doubles(velocities.data()->data(), 3 * velocities.size(), parts_->communicator);
+  return work;
 }
 
 std::span<const double> Mobility::moments() const {

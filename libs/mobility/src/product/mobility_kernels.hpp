@@ -36,19 +36,20 @@ struct PairBatch {
   /// d: position of the one sphere minus positions of the other spheres [length]. r2: squared lengths of d.
   double d[3][capacity], r2[capacity];
   double squares[capacity];      ///< a_i^2 + a_j^2 [length^2]; used only if radii differ
+  double products[capacity];     ///< a_i^2 a_j^2 [length^4]; used only with 6 functions
   double force[3][capacity];     ///< forces on the other spheres [mass length/time^2]
   double velocity[3][capacity];  ///< velocities of the other spheres due to the force on the one sphere
 };
 
 /// Table of a pair tensor (PairTensor) up to the cutoff: polynomials of degree 5 in r^2 for isotropic and
-/// axial/r^2, one set per interval of r^2. If radii differ, the two terms of SplitTensor are tabulated
+/// axial/r^2, one set per interval of r^2. If radii differ, the terms of SplitTensor are tabulated
 /// separately. Each interval [x, 2 x] of r^2, with x a power of two, is divided into 64 equal intervals. The
 /// bits of the double r^2 contain the number of the interval and the position within it.
 struct PairTable {
   static constexpr int degree = 5;
   static constexpr int stretch_bits = 6, shift = 52 - stretch_bits;
   std::int64_t first = 0;  ///< upper bits of r^2 in the first interval
-  int functions = 2;       ///< 2: isotropic and axial/r^2; 4: both for each term of SplitTensor
+  int functions = 2;       ///< 2: isotropic and axial/r^2; 4 or 6: both for each term of SplitTensor
   /// Coefficients [interval][power][function] of polynomials in the position within the interval, 0 to 1.
   const double* coefficients = nullptr;
 };

@@ -72,15 +72,13 @@ double strain_weight(double distance) {
   return pair_weight(distance / strain_reach);
 }
 
-NearField::NearField(std::vector<double> radii, std::vector<int> lines, double viscosity,
-                     std::optional<Box> box, std::optional<HalfSpace> half_space)
+NearField::NearField(std::vector<double> radii, std::vector<int> lines, double viscosity, Domain domain)
     : radii_(std::move(radii)),
       lines_(std::move(lines)),
       line_of_(radii_.size(), -1),
       viscosity_(viscosity),
-      box_(box),
-      half_space_(half_space),
-      lengths_(mirrored_lengths(box)) {
+      domain_(domain),
+      lengths_(mirrored_lengths(domain.box)) {
   std::map<std::array<double, 3>, int> tables;
   for (std::size_t line = 0; line < lines_.size(); ++line) {
     const int b = lines_[line];
@@ -94,7 +92,7 @@ NearField::NearField(std::vector<double> radii, std::vector<int> lines, double v
 
 NearMap NearField::at(std::span<const Vec3> positions) {
   NearLinks links{.beads = radii_.size()};
-  NearStrains strains(radii_, viscosity_, half_space_, positions, links);
+  NearStrains strains(radii_, viscosity_, domain_.half_space, positions, links);
   for (std::size_t line = 0; line < lines_.size(); ++line) {
     links.lines.push_back(line_link(line, positions));
     for (int i = lines_[line]; i < lines_[line] + 3; ++i)
@@ -120,7 +118,7 @@ LineLink NearField::line_link(std::size_t line, std::span<const Vec3> positions)
 
 NearField::Images NearField::mirror_images(std::span<const Vec3> positions) const {
   Images images{{positions.begin(), positions.end()}, {Vec3::Ones()}};
-  for (auto* vectors : {&images.places, &images.mirrors}) add_mirror_images(box_, *vectors);
+  for (auto* vectors : {&images.places, &images.mirrors}) add_mirror_images(domain_.box, *vectors);
   return images;
 }
 

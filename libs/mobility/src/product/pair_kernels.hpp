@@ -64,17 +64,21 @@ BEADSWIM_KERNEL void pair_velocities_of(const PairTable& table, const double* fo
     const double* c =
         coefficients + ((bits >> PairTable::shift) - first) * (functions * (PairTable::degree + 1));
     double value[functions];
-#pragma GCC unroll 4
+#pragma GCC unroll 6
     for (int f = 0; f < functions; ++f) value[f] = c[PairTable::degree * functions + f];
 #pragma GCC unroll 6
     for (int k = PairTable::degree - 1; k >= 0; --k) {
-#pragma GCC unroll 4
+#pragma GCC unroll 6
       for (int f = 0; f < functions; ++f) value[f] = value[f] * p + c[k * functions + f];
     }
     double isotropic = value[0], axial = value[1];
-    if constexpr (functions == 4) {
+    if constexpr (functions >= 4) {
       isotropic += b.squares[t] * value[2];
       axial += b.squares[t] * value[3];
+    }
+    if constexpr (functions == 6) {
+      isotropic += b.products[t] * value[4];
+      axial += b.products[t] * value[5];
     }
     const double dx = b.d[0][t], dy = b.d[1][t], dz = b.d[2][t];
     const double gx = b.force[0][t], gy = b.force[1][t], gz = b.force[2][t];
@@ -93,8 +97,9 @@ BEADSWIM_KERNEL void pair_velocities_of(const PairTable& table, const double* fo
 }
 
 void pair_velocities(const PairTable& table, const double* force, PairBatch& batch, double* velocity) {
-  table.functions == 2 ? pair_velocities_of<2>(table, force, batch, velocity)
-                       : pair_velocities_of<4>(table, force, batch, velocity);
+  table.functions == 2   ? pair_velocities_of<2>(table, force, batch, velocity)
+  : table.functions == 4 ? pair_velocities_of<4>(table, force, batch, velocity)
+                         : pair_velocities_of<6>(table, force, batch, velocity);
 }
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

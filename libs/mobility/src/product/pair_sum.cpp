@@ -9,8 +9,11 @@
 
 namespace beadswim {
 PairSum::PairSum(const ImagedSpheres& spheres, const std::optional<EwaldPlan>& plan, double min_distance)
-    : spheres_(spheres), xi_(plan ? plan->xi : 0), cutoff_(plan ? plan->cutoff : 0) {
-  if (plan && spheres.order == 0) table_.emplace(spheres, xi_, cutoff_, min_distance);
+    : spheres_(spheres),
+      xi_(plan ? plan->xi : 0),
+      cutoff_(plan ? plan->cutoff : 0),
+      is_positive_(plan && plan->is_positive) {
+  if (plan && spheres.order == 0) table_.emplace(spheres, *plan, min_distance);
 }
 
 void PairSum::set_positions(std::span<const Vec3> positions, std::size_t receivers) {
@@ -105,8 +108,11 @@ void PairSum::add_batch(Work& work, int one) const {
       batch.d[a][kept] = d[a];
       batch.force[a][kept] = work.sources[3 * other + a];
     }
-    if (!table_->has_one_radius())
-      batch.squares[kept] = radii_[one] * radii_[one] + radii_[other] * radii_[other];
+    if (!table_->has_one_radius()) {
+      const double own = radii_[one] * radii_[one], others = radii_[other] * radii_[other];
+      batch.squares[kept] = own + others;
+      batch.products[kept] = own * others;
+    }
     ++kept;
   }
   batch.count = kept;
@@ -139,7 +145,7 @@ void PairSum::add_pair(Work& work, int one, int other, const Vec3& d, double r) 
 
 /// Adds a pair of spheres with forces alone.
 void PairSum::add_forces(Work& work, int one, int other, const Vec3& d, double r) const {
-  const PairTensor tensor = near_part(xi_, radii_[one], radii_[other], r, spheres_.viscosity);
+  const PairTensor tensor = near_part(xi_, is_positive_, radii_[one], radii_[other], r, spheres_.viscosity);
   const auto push = [&](int to, int from) {
     Eigen::Map<Vec3>(&work.flows[3 * to]) += tensor.apply(d, r, Vec3(&work.sources[3 * from]));
   };

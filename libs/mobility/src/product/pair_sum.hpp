@@ -40,6 +40,7 @@ class PairSum {
 
   ImagedSpheres spheres_;
   double xi_, cutoff_;                  ///< of the Ewald sum; 0: all pairs in open space
+  bool is_positive_;                    ///< EwaldPlan::is_positive
   std::optional<TensorTable> table_{};  ///< of forces without moments; nullopt: moments, or all pairs
   std::optional<CellList> cells_{};     ///< nullopt: all pairs
   // Of the spheres and images in the order of the sum, by cells.

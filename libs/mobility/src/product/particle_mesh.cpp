@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/keyed_random.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
 #include "mobility_kernels.hpp"
 
@@ -131,7 +132,7 @@ void ParticleMesh::sample_kernel() {
     const auto tensor_at = [&](const Vec3& d) {
       const double r = d.norm();
       const SplitTensor parts = far_tensor(plan_.xi, share(0), r, spheres_.viscosity);
-      const PairTensor tensor = k == 0 ? parts.sphere_tensor(fields_ == 1 ? shared_size_ : 0)
+      const PairTensor tensor = k == 0 ? parts.sphere_tensor({.squares = fields_ == 1 ? shared_size_ : 0})
                                        : PairTensor{parts.laplacian.isotropic / 6, parts.laplacian.axial / 6};
       const Vec3 unit = r > 0 ? Vec3(d / r) : Vec3::Zero();
       std::array<double, 6> elements;
@@ -357,6 +358,49 @@ void ParticleMesh::multiply_periodic() {
               .decay = decay_z.data()},
              static_cast<int>(fields_), factors.data(), rows.data());
   });
+}
+
+void ParticleMesh::set_noise(std::uint64_t seed) {
+  values_.resize(fields_);
+  for (auto& field : values_)
+    for (FftwArray& component : field) {
+      if (!component) component = transform_->array();
+      std::fill_n(component.get(), transform_->reals(), 0.0);
+    }
+  const auto& n = geometry_.points;
+  std::array<double, 3> wave, exponent;
+  for (int a = 0; a < 3; ++a) {
+    wave[a] = 2 * std::numbers::pi / spheres_.lengths[a];
+    exponent[a] = (1 - share(a)) / (4 * plan_.xi * plan_.xi);
+  }
+  // Beyond this wavenumber the mesh has no modes along one axis, and the far part is negligible.
+  const double largest = (1 - 1e-9) * std::numbers::pi / std::ranges::max(spacing_);
+  const double scale = 1 / (double(n[0]) * n[1] * n[2] * cell_volume() * spheres_.viscosity);
+  const std::vector<FieldFactors> factors = field_factors();
+  transform_->for_each_wave([&](std::ptrdiff_t place, int i, int j, int l) {
+    // Of two modes that are conjugate, the mesh contains both if l is 0. The largest wavenumber excludes
+    // others.
+    const bool is_mirrored = l == 0 && (i < 0 || (i == 0 && j < 0));
+    const std::int64_t x = is_mirrored ? -i : i, y = is_mirrored ? -j : j;
+    const Vec3 k(static_cast<double>(x) * wave[0], static_cast<double>(y) * wave[1], l * wave[2]);
+    const double k2 = k.squaredNorm();
+    if (k2 == 0 || k2 > largest * largest) return;
+    KeyedRandom random(seed, static_cast<std::uint64_t>((x * n[1] + y) * n[2] + l), 0);
+    const double decay =
+        std::exp(-(exponent[0] * k[0] * k[0] + exponent[1] * k[1] * k[1] + exponent[2] * k[2] * k[2]));
+    const double size = std::sqrt(scale * decay * (1 + k2 / (4 * plan_.xi * plan_.xi)) / k2 / 2);
+    const Vec3 first = k.unitOrthogonal(), second = k.cross(first) / std::sqrt(k2);
+    const auto [a, b] = random.normal_pair();
+    const auto [c, d] = random.normal_pair();
+    const Vec3 real = size * (a * first + c * second),
+               imaginary = (is_mirrored ? -size : size) * (b * first + d * second);
+    for (std::size_t f = 0; f < fields_; ++f)
+      for (int axis = 0; axis < 3; ++axis)
+        as_complex(values_[f][axis])[place] =
+            (factors[f].p - factors[f].q * k2 / 6) * Complex(real[axis], imaginary[axis]);
+  });
+  for (auto& field : values_)
+    for (FftwArray& component : field) transform_->backward(component);
 }
 
 namespace {

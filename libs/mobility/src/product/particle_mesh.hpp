@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -82,6 +83,13 @@ class ParticleMesh {
   /// Evaluates the far part on the mesh, from which gather_flows() then adds it at any receivers. Collective.
   void evaluate(std::span<const double> sources, FlowPart part);
   void gather_flows(std::span<double> flows, std::span<MirrorFlow> at_mirrors) const;
+  /// Sets the mesh to a random flow, whose covariance at the receivers is the far part:
+  ///
+  ///   u(k) = sqrt(h^-3 K(k)) (I - kk/k^2) z(k)     z: normal numbers, z(-k) = conj z(k)
+  ///
+  /// They depend on the seed and k. gather_flows() then adds it. In a periodic box, with forces alone.
+  /// Collective.
+  void set_noise(std::uint64_t seed);
 
   /// Spreads and transforms the sources, which MemoryField::start() or end_step() then uses. Collective.
   void read_sources(std::span<const double> sources);

@@ -34,13 +34,13 @@ Fit fit(const Fit& values) {
 
 }  // namespace
 
-PairTensor near_part(double xi, double a_i, double a_j, double r, double viscosity) {
+PairTensor near_part(double xi, bool is_positive, double a_i, double a_j, double r, double viscosity) {
   if (xi == 0) return rotne_prager_tensor(a_i, a_j, r, viscosity);
   const double squares = a_i * a_i + a_j * a_j;
+  const PairSizes sizes{.squares = squares, .product = is_positive ? a_i * a_i * a_j * a_j : 0};
   if (r < 1e-3 * std::min(a_i, a_j))  // avoids cancellation of large terms as r -> 0
-    return rotne_prager_tensor(a_i, a_j, r, viscosity) -
-           far_tensor(xi, 0, 0, viscosity).sphere_tensor(squares);
-  PairTensor tensor = near_tensor(xi, r, viscosity).sphere_tensor(squares);
+    return rotne_prager_tensor(a_i, a_j, r, viscosity) - far_tensor(xi, 0, 0, viscosity).sphere_tensor(sizes);
+  PairTensor tensor = near_tensor(xi, r, viscosity).sphere_tensor(sizes);
   if (r < a_i + a_j) {
     const PairTensor overlap =
         rotne_prager_tensor(a_i, a_j, r, viscosity) - rotne_prager_tensor_apart(squares, r, viscosity);
@@ -49,27 +49,33 @@ PairTensor near_part(double xi, double a_i, double a_j, double r, double viscosi
   return tensor;
 }
 
-TensorTable::TensorTable(const ImagedSpheres& spheres, double xi, double cutoff, double min_distance) {
+TensorTable::TensorTable(const ImagedSpheres& spheres, const EwaldPlan& plan, double min_distance) {
   const auto [smallest, largest] = std::ranges::minmax_element(spheres.radii);
   const bool has_one_radius = *smallest == *largest;
-  const double first_distance = std::min(min_distance, cutoff), squares = 2 * *largest * *largest;
+  const double first_distance = std::min(min_distance, plan.cutoff), square = *largest * *largest;
+  const PairSizes sizes{.squares = 2 * square, .product = plan.is_positive ? square * square : 0};
   min_square_ = first_distance * first_distance;
   const auto stretch_of = [](double r) { return std::bit_cast<std::int64_t>(r * r) >> PairTable::shift; };
-  table_ = {
-      .first = stretch_of(first_distance), .functions = has_one_radius ? 2 : 4, .coefficients = nullptr};
-  const auto stretches = static_cast<int>(stretch_of(cutoff) - table_.first);
+  table_ = {.first = stretch_of(first_distance),
+            .functions = has_one_radius     ? 2
+                         : plan.is_positive ? 6
+                                            : 4,
+            .coefficients = nullptr};
+  const auto stretches = static_cast<int>(stretch_of(plan.cutoff) - table_.first);
   coefficients_.resize(static_cast<std::size_t>(stretches + 1) * powers * table_.functions);
   for (int s = 0; s <= stretches; ++s) {
-    std::array<Fit, 4> values;
+    std::array<Fit, 6> values;
     const auto edge = [&](int n) { return std::bit_cast<double>((table_.first + n) << PairTable::shift); };
     for (int k = 0; k < powers; ++k) {
       const double r = std::sqrt(std::lerp(edge(s), edge(s + 1), chebyshev_point(k)));
-      const SplitTensor parts = near_tensor(xi, r, spheres.viscosity);
-      const PairTensor first = has_one_radius ? parts.sphere_tensor(squares) : parts.oseen;
+      const SplitTensor parts = near_tensor(plan.xi, r, spheres.viscosity);
+      const PairTensor first = has_one_radius ? parts.sphere_tensor(sizes) : parts.oseen;
       values[0][k] = first.isotropic;
       values[1][k] = first.axial / (r * r);
       values[2][k] = parts.laplacian.isotropic / 6;
       values[3][k] = parts.laplacian.axial / 6 / (r * r);
+      values[4][k] = parts.bilaplacian.isotropic / 36;
+      values[5][k] = parts.bilaplacian.axial / 36 / (r * r);
     }
     for (int f = 0; f < table_.functions; ++f) {
       const Fit coefficients = fit(values[f]);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "beadswim/collinear/rotne_prager.hpp"
+#include "beadswim/mobility/ewald_plan.hpp"
 #include "imaged_spheres.hpp"
 #include "mobility_kernels.hpp"
 
@@ -11,14 +12,14 @@ namespace beadswim {
 /// Returns the near part of the mobility tensor of two spheres of radii a_i and a_j at the distance r, which
 /// complements the mesh. For overlapping spheres it contains the difference between the tensor of overlapping
 /// spheres and the formula for spheres that do not overlap, which the mesh uses for all pairs. xi: splitting
-/// parameter; 0: returns the whole tensor.
-PairTensor near_part(double xi, double a_i, double a_j, double r, double viscosity);
+/// parameter; 0: returns the whole tensor. `is_positive`: EwaldPlan::is_positive.
+PairTensor near_part(double xi, bool is_positive, double a_i, double a_j, double r, double viscosity);
 
 /// Table of near_part() for forces without moments.
 class TensorTable {
  public:
   /// Pairs closer than `min_distance`, a bead diameter, are evaluated without the table [length].
-  TensorTable(const ImagedSpheres& spheres, double xi, double cutoff, double min_distance);
+  TensorTable(const ImagedSpheres& spheres, const EwaldPlan& plan, double min_distance);
   TensorTable(const TensorTable&) = delete;
   TensorTable& operator=(const TensorTable&) = delete;
 

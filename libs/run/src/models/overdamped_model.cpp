@@ -47,7 +47,7 @@ struct OverdampedPlan : ModelPlan {
       add_warning(warnings, "periodic-cube",
                   "the model unsteady replaces open space by a periodic cube of edge {:.6g}; its images "
                   "change the velocity of a lone swimmer by some 0.2 %",
-                  scene.box->lengths[0] * units.length);
+                  scene.domain.box->lengths[0] * units.length);
     announcement = fmt::format(
         "model {}, {} swimmers in {}, relative tolerance {:.3g} of the bead velocities, {} steps per cycle, "
         "on {} ranks",
@@ -150,7 +150,8 @@ class OverdampedModel : public Model {
 
   std::vector<PointFlow> flow_at(std::span<const Vec3> points) override {
     std::vector<Vec3> places;  // [units]
-    for (const Vec3& point : points) places.push_back(wrapped(point / plan_.units.length, plan_.scene.box));
+    for (const Vec3& point : points)
+      places.push_back(wrapped(point / plan_.units.length, plan_.scene.domain.box));
     const FlowAtPoints flow = system_.flow_at(places);
     std::vector<PointFlow> result;
     for (std::size_t p = 0; p < points.size(); ++p) {
@@ -182,6 +183,11 @@ class OverdampedModel : public Model {
         .mesh_spacing = sums ? std::optional(sums->spacing * length) : std::nullopt,
         .smallest_gap =
             std::isfinite(state.smallest_gap) ? std::optional(state.smallest_gap * length) : std::nullopt};
+    if (const double thermal_energy = plan_.scene.thermal_energy; thermal_energy > 0)
+      record.thermal = ThermalRecord{.thermal_energy = thermal_energy * plan_.units.energy(),
+                                     .seed = static_cast<std::int64_t>(plan_.scene.seed),
+                                     .noise_tolerance = plan_.scene.noise_tolerance,
+                                     .noise_error = state.noise_error};
     if (system_.fault()) return;
     Sha256 hash;
     std::vector<Vec3> positions;  // [length]
@@ -212,7 +218,7 @@ class OverdampedModel : public Model {
     }
     const double gap = system_.state().smallest_gap * plan_.units.length;
     if (!std::isfinite(gap)) return warnings;
-    const bool is_over_wall = plan_.scene.half_space.has_value();
+    const bool is_over_wall = plan_.scene.domain.half_space.has_value();
     const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
     add_warning(warnings, "repulsion",
                 "beads came within a gap of {:.3g} of each other or of a wall and were repelled; {}; compare "
@@ -263,6 +269,11 @@ class OverdampedModel : public Model {
     const Vec3& velocity = state.velocities[0][bead];
     const Vec3 gained = velocity - state.velocities[1][bead];  // change in the last step
     BeadMotion motion;
+    if (!state.smooth.empty()) {  // the noise of the next step is unknown
+      motion.position = state.positions[0][bead] + std::min(time, 0.0) * velocity;
+      motion.velocity = velocity;
+      return motion;
+    }
     motion.position = state.positions[0][bead] + time * (velocity + 0.5 * ahead * gained);
     motion.velocity = velocity + ahead * gained;
     return motion;

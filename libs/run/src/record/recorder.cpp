@@ -206,7 +206,11 @@ void Recorder::record(const Model& model, const ModelTotals& totals) {
   }
   if (plan_.settings.frames_with == FrameContent::forces) add_forces(model, frame);
   if (trajectory_ != nullptr) trajectory_->append(frame);
-  record_turns(swimmers);
+  if (layout_.fluid.thermal_energy == 0) {
+    record_turns(swimmers);
+  } else if (next_frame_ % frames_per_cycle_ == 0) {
+    extend_paths(swimmers);
+  }
   gather_samples();
   store_samples(now);
   last_frame_ = now;
@@ -257,6 +261,26 @@ void Recorder::record_turns(const std::vector<SwimmerMotion>& swimmers) {
   }
 }
 
+void Recorder::extend_paths(const std::vector<SwimmerMotion>& swimmers) {
+  paths_.resize(swimmers.size());
+  for (std::size_t s = 0; s < swimmers.size(); ++s) {
+    std::vector<Vec3> positions;
+    for (const BeadMotion& bead : swimmers[s]) positions.push_back(bead.position * plan_.units.length);
+    paths_[s].places.emplace_back(columns_of_beads(positions).rowwise().mean());
+    paths_[s].axes.push_back(axis_of(logs_[s].type, positions, logs_[s].initial_orientation));
+  }
+}
+
+void Recorder::add_diffusion(ThermalRecord& thermal) const {
+  const auto found = diffusion_statistics(paths_, plan_.base_period);
+  if (!found) return;
+  thermal.lag = found->lag;
+  thermal.mean_velocity = found->mean_velocity;
+  thermal.effective_diffusion = found->effective_diffusion;
+  thermal.rotational_diffusion = found->rotational_diffusion;
+  thermal.persistence_time = found->persistence_time;
+}
+
 std::vector<RunWarning> Recorder::warnings() const {
   constexpr double allowed = 0.25;
   std::vector<RunWarning> warnings;
@@ -305,8 +329,8 @@ void Recorder::append_swarm(const std::vector<SwimmerMotion>& swimmers, const Ve
 
 template <class Message>
 void Recorder::transfer(Message& message) {
-  message(next_frame_, last_frame_.time, last_frame_.mean_flow, fluid_impulse_, largest_turn_, gathered_,
-          swarm_);
+  message(next_frame_, last_frame_.time, last_frame_.mean_flow, fluid_impulse_, paths_, largest_turn_,
+          gathered_, swarm_);
   for (SwimmerLog& log : logs_) message(log.samples, log.record.cycles);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "beadswim/compare/cycle_statistics.hpp"
+#include "beadswim/compare/diffusion.hpp"
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/message.hpp"
 #include "beadswim/documents/run_record_document.hpp"
@@ -84,6 +85,8 @@ class Recorder {
   // contains only the last cycle of each swimmer.
   std::vector<SwimmerRecord> swimmers() const;
   const std::vector<SwarmCycle>& swarm() const { return swarm_; }
+  /// Adds the diffusion of the swimmers in a run with thermal noise, if it is long enough. On rank 0 only.
+  void add_diffusion(ThermalRecord& thermal) const;
   /// Returns a warning if samples are too far apart for the rotation of a swimmer.
   std::vector<RunWarning> warnings() const;
 
@@ -136,6 +139,7 @@ class Recorder {
   void add_forces(const Model& model, TrajectoryFrame& frame);
   /// Updates largest_turn_ with the present motion.
   void record_turns(const std::vector<SwimmerMotion>& swimmers);
+  void extend_paths(const std::vector<SwimmerMotion>& swimmers);
   void append_cycles(long step, double time);
   void append_swarm(const std::vector<SwimmerMotion>& swimmers, const Vec3& momentum);
   template <class Message>
@@ -159,6 +163,7 @@ class Recorder {
   // Used on rank 0 only:
   std::vector<PositionSample> gathered_;  ///< samples of all ranks since the last frame
   FlowSample last_frame_;
+  std::vector<SwimmerPath> paths_;   ///< with thermal noise: ends of base cycles [length]
   std::vector<Vec3> fluid_impulse_;  ///< FluidForces::integral at the last frame
   std::vector<SwimmerLog> logs_;   ///< one per swimmer, in the order of ids
   double largest_turn_ = 0;        ///< largest rotation of a swimmer between two samples [radian]

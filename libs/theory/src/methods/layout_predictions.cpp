@@ -32,7 +32,7 @@ TheorySwimmer theory_swimmer(const Layout& layout, const Swimmer& swimmer) {
   ShapedSwimmer shape{.type = type,
                       .orientation = swimmer.orientation(),
                       .viscosity = viscosity,
-                      .half_space = layout.domain.half_space,
+                      .domain = {.box = {}, .half_space = layout.domain.half_space},
                       .flow = layout.flow};
   if (shape.is_held()) shape.place = mean_position(type, swimmer);
   if (const auto& half_space = layout.domain.half_space)  // nothing changes along the wall
@@ -205,8 +205,16 @@ LayoutPredictions predict_layout(const Layout& in_layout_units, const std::strin
     predicted.warnings = warnings(question, request.tolerance);
   }
   for (Prediction& prediction : predicted.predictions) to_layout_units(prediction, units);
+  if (in_layout_units.fluid.thermal_energy > 0)
+    for (Prediction& prediction : predicted.predictions)
+      prediction.thermal = predicted_diffusion(
+          in_layout_units.resolved_type(find_swimmer(in_layout_units, swimmer.id, source)),
+          in_layout_units.fluid, prediction.velocity);
   if (std::string warning = warning_of_fixed_forces(layout); !warning.empty())
     predicted.warnings.push_back(std::move(warning));
+  if (layout.fluid.thermal_energy > 0)
+    predicted.warnings.emplace_back(
+        "predicted motions leave out the thermal noise of the layout, whose diffusion is stated with them");
   return predicted;
 }
 

@@ -82,7 +82,7 @@ const BeadMobility oseen_beads{"Oseen", pairs_on_line<oseen>, [](const ShapedSwi
                                }};
 const BeadMobility rotne_prager_beads{
     "Rotne-Prager", pairs_on_line<rotne_prager>, [](const ShapedSwimmer& swimmer) {
-      return swimmer.box ? moment_mobility(swimmer, 0) : pair_mobility(swimmer, rotne_prager_tensor);
+      return swimmer.domain.box ? moment_mobility(swimmer, 0) : pair_mobility(swimmer, rotne_prager_tensor);
     }};
 const BeadMobility exact_beads{"exact", exact_on_line, [](const ShapedSwimmer& swimmer) {
                                  return moment_mobility(swimmer, max_moment_order);

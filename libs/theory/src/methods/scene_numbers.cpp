@@ -8,6 +8,7 @@
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
+#include "beadswim/theory/passive_diffusion.hpp"
 
 namespace beadswim {
 namespace {
@@ -39,6 +40,17 @@ TypeNumbers type_numbers(const SwimmerType& type, const Motion& motion, const La
   if (const double shear_rate = layout.flow.shear_rate(); shear_rate > 0) {
     numbers.strain_per_period = shear_rate * type.driving.period;
     numbers.shear_reynolds = shear_rate * largest * largest / nu;
+  }
+  if (layout.fluid.thermal_energy > 0) {
+    for (const Bond& bond : type.bonds)
+      numbers.thermal_over_spring.push_back(layout.fluid.thermal_energy /
+                                            (bond.stiffness * bond.rest_length * bond.rest_length));
+    numbers.momentum_time_over_period = largest * largest / (nu * type.driving.period);
+    reason_against([&] {
+      const ShapedSwimmer swimmer{type, Eigen::Matrix3d::Identity(), layout.fluid.dynamic_viscosity()};
+      const double speed = second_order_motion(swimmer, rotne_prager_tensor).velocity;
+      numbers.peclet = predicted_diffusion(type, layout.fluid, speed).peclet;
+    });
   }
   if (const auto three = three_bead_form(type)) numbers.phase = three->driving.phase;
   if (!motion) return numbers;

@@ -13,15 +13,15 @@ namespace {
 
 /// Returns the value of the setting "fluid".
 std::string fluid_name(const ShapedSwimmer& swimmer, double unit) {
-  if (swimmer.box) return "box: " + box_text(*swimmer.box, unit);
-  return fmt::format("{}{}", swimmer.half_space ? "half-space" : "unbounded",
+  if (swimmer.domain.box) return "box: " + box_text(*swimmer.domain.box, unit);
+  return fmt::format("{}{}", swimmer.domain.half_space ? "half-space" : "unbounded",
                      swimmer.flow.is_zero() ? "" : ", with background flow");
 }
 
 /// Returns the surroundings of the swimmer for the validity of a prediction.
 std::string surroundings_text(const ShapedSwimmer& swimmer, double unit) {
   std::string text = fluid_name(swimmer, unit);
-  if (const auto& half_space = swimmer.half_space)
+  if (const auto& half_space = swimmer.domain.half_space)
     text +=
         fmt::format(", at the height {:.6g} over the no-slip wall", half_space->height(swimmer.place) * unit);
   if (swimmer.is_held()) text += ", moved back to its place and orientation after each cycle";
@@ -56,8 +56,7 @@ Prediction prediction_from(const ShapedSwimmer& swimmer, const Question& questio
   prediction.angular_velocity = motion.angular_velocity;
   prediction.power = motion.power;
   ShapedSwimmer in_open_space = swimmer;  // as the efficiency of runs
-  in_open_space.half_space.reset();
-  in_open_space.box.reset();
+  in_open_space.domain = {};
   const double drag = towing_drag(motion.mean_shape, motion.axis, mobility.of_shape(in_open_space));
   prediction.efficiency = lighthill_efficiency(drag, prediction.velocity, motion.power);
   const double omega = 2 * std::numbers::pi / swimmer.type.driving.period;
@@ -76,7 +75,7 @@ Prediction prediction_from(const ShapedSwimmer& swimmer, const Question& questio
   if (std::isfinite(motion.smallest_gap))
     prediction.settings.emplace_back("smallest_gap_over_radius", motion.smallest_gap / radius);
   if (motion.smallest_gap < 0)
-    mark_unusable(prediction, swimmer.half_space || swimmer.box
+    mark_unusable(prediction, swimmer.domain.half_space || swimmer.domain.box
                                   ? "in this motion beads would overlap, or the wall"
                                   : "in this motion the beads would overlap");
   return prediction;
@@ -119,7 +118,7 @@ Prediction predict_shape_ode(const BeadMobility& mobility, const ShapedSwimmer& 
           ? fmt::format(
                 "the uncertainty is the error of this mobility at small amplitude{}, estimated with "
                 "force moments of orders 1 and 2, and validated for three beads on a line only",
-                swimmer.box ? " without the box" : "")
+                swimmer.domain.box ? " without the box" : "")
           : "the error for this shape is not known";
   prediction.settings.emplace_back("steps_per_period", static_cast<double>(motion.samples));
   if (std::isfinite(motion.numerical_error))

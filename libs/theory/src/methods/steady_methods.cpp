@@ -23,7 +23,7 @@ constexpr const char* exact_flow = "exact Stokes flow of three spheres (axisymme
 ShapedSwimmer shape_in_box(const Question& question) {
   const auto& [box, place] = *question.surroundings.box;
   ShapedSwimmer swimmer = question.shape();
-  swimmer.box = box;
+  swimmer.domain.box = box;
   swimmer.place = Vec3(place[0], place[1], place[2]);
   return swimmer;
 }

@@ -28,17 +28,17 @@ int highest_multiple(const Driving& driving) {
 double smallest_gap(const ShapedSwimmer& swimmer, const BeadVectors& beads) {
   const SwimmerType& type = swimmer.type;
   double smallest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < beads.cols() && swimmer.half_space; ++i)
-    smallest =
-        std::min(smallest, swimmer.half_space->height(beads.col(i) + swimmer.place) - type.beads[i].radius);
+  for (int i = 0; i < beads.cols() && swimmer.domain.half_space; ++i)
+    smallest = std::min(
+        smallest, swimmer.domain.half_space->height(beads.col(i) + swimmer.place) - type.beads[i].radius);
   for (int i = 0; i < beads.cols(); ++i)
     for (int j = 0; j < i; ++j)
       smallest = std::min(smallest, (beads.col(i) - beads.col(j)).norm() - contact_distance(type, i, j));
-  if (!swimmer.box) return smallest;
+  if (!swimmer.domain.box) return smallest;
   std::vector<PlacedBead> placed;
   for (int i = 0; i < beads.cols(); ++i)
     placed.push_back({.centre = beads.col(i) + swimmer.place, .radius = type.beads[i].radius});
-  return std::min(smallest, smallest_gap(placed, {.box = swimmer.box}));
+  return std::min(smallest, smallest_gap(placed, {.box = swimmer.domain.box}));
 }
 
 Eigen::VectorXd bond_lengths(const SwimmerType& type, const BeadVectors& beads) {

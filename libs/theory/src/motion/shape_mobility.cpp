@@ -50,9 +50,10 @@ ShapeMobility pair_mobility(const ShapedSwimmer& swimmer, PairTensorLaw law) {
   const bool are_points = law == oseen_pairs;
   const auto matrix = [&swimmer, law, are_points](const BeadVectors& beads) {
     auto mu = mobility_matrix<Eigen::MatrixXd>(law, swimmer.type.beads, beads, swimmer.viscosity);
-    if (!swimmer.half_space) return mu;
+    if (!swimmer.domain.half_space) return mu;
     const std::vector<double> radii = are_points ? std::vector<double>(beads.cols(), 0.0) : radii_of(swimmer);
-    add_wall_mobility(*swimmer.half_space, radii, beads.colwise() + swimmer.place, swimmer.viscosity, mu);
+    add_wall_mobility(*swimmer.domain.half_space, radii, beads.colwise() + swimmer.place, swimmer.viscosity,
+                      mu);
     return mu;
   };
   const auto apply = [matrix](const BeadVectors& beads, const Eigen::VectorXd& forces) -> Eigen::VectorXd {
@@ -65,11 +66,10 @@ ShapeMobility moment_mobility(const ShapedSwimmer& swimmer, int order) {
   constexpr double tolerance_in_box = 1e-10, tolerance_in_open_space = 1e-12;
   const MobilityScene scene{.model = MobilityModel::multipole,
                             .viscosity = swimmer.viscosity,
-                            .box = swimmer.box,
+                            .domain = swimmer.domain,
                             .radii = radii_of(swimmer),
-                            .tolerance = swimmer.box ? tolerance_in_box : tolerance_in_open_space,
-                            .moment_order = order,
-                            .half_space = swimmer.half_space};
+                            .tolerance = swimmer.domain.box ? tolerance_in_box : tolerance_in_open_space,
+                            .moment_order = order};
   const auto local = std::make_shared<LocalMobility>(
       scene, rest_positions(swimmer.type, swimmer.place, swimmer.orientation));
   const auto at = [local, &swimmer](const BeadVectors& beads) -> Mobility& {

@@ -301,7 +301,7 @@ std::string second_order_obstacle(const ShapedSwimmer& swimmer) {
   const auto is_constant = [](const ForceDrive& drive) { return drive.constant != 0; };
   const bool is_treated =
       swimmer.flow.is_zero() &&
-      !(swimmer.half_space && std::ranges::any_of(swimmer.type.driving.forces, is_constant));
+      !(swimmer.domain.half_space && std::ranges::any_of(swimmer.type.driving.forces, is_constant));
   return is_treated
              ? ""
              : "the flow or the forces: methods of second order treat a swimmer in fluid at rest, over a "

@@ -69,7 +69,7 @@ struct ComparisonRow {
   double run = 0, reference = 0;
   double relative_error = 0;
   std::optional<double> run_uncertainty{}, reference_uncertainty{};  ///< relative; nullopt: unknown
-  double tolerance = 0;
+  double tolerance = 0;  ///< accepted; of means with thermal noise at least two standard errors
   bool pass = false;
   bool decides = false;
 

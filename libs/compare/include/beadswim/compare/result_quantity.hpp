@@ -35,11 +35,14 @@ enum class ResultQuantity {
   efficiency,
   gap,
   dipole,
+  effective_diffusion,
+  rotational_diffusion,
+  peclet,
 };
 
 /// Kinds of quantities with equal units: 1, radian, length, length/time, radian/time, mass length^2/time^3,
-/// mass length^2/time^2.
-enum class Dimension { number, angle, length, velocity, angular_velocity, power, energy };
+/// mass length^2/time^2, length^2/time, 1/time.
+enum class Dimension { number, angle, length, velocity, angular_velocity, power, energy, diffusion, rate };
 
 struct ResultRow {
   ResultQuantity quantity;
@@ -54,7 +57,8 @@ struct ResultRow {
 /// their components x, y, z are those in the box. speed_along_axis: the component along the axis alone, with
 /// its sign. speed_across_axis: size of the component perpendicular to the axis. angular_velocity: its size.
 /// arm_amplitudes, arm_phases: d and delta of equation (4.1) of the paper (Pickl et al. 2017). gap: the
-/// smallest between the surfaces of the two beads of an arm.
+/// smallest between the surfaces of the two beads of an arm. effective_diffusion, rotational_diffusion,
+/// peclet: with thermal noise (compare/diffusion.hpp).
 // clang-format off
 inline constexpr auto result_rows = std::to_array<ResultRow>({
     {ResultQuantity::velocity, "velocity", Dimension::velocity, "velocity"},
@@ -74,6 +78,9 @@ inline constexpr auto result_rows = std::to_array<ResultRow>({
     {ResultQuantity::efficiency, "efficiency", Dimension::number, "Lighthill efficiency", "efficiency"},
     {ResultQuantity::gap, "gap", Dimension::length, "smallest gap of an arm", "gap"},
     {ResultQuantity::dipole, "dipole", Dimension::energy, "force dipole along the axis", "dipole"},
+    {ResultQuantity::effective_diffusion, "effective_diffusion", Dimension::diffusion, "effective diffusion"},
+    {ResultQuantity::rotational_diffusion, "rotational_diffusion", Dimension::rate, "rotational diffusion"},
+    {ResultQuantity::peclet, "peclet", Dimension::number, "Peclet number"},
 });
 // clang-format on
 
@@ -101,6 +108,7 @@ struct ResultValue {
   std::vector<double> numbers;   ///< one number, or one per arm
   std::optional<Vec3> vector{};  ///< in the box: `numbers` is its size, or its component along the axis
   std::vector<double> uncertainties{};  ///< relative, one per number; empty: none is stated
+  bool is_mean = false;  ///< mean of a run with thermal noise: the uncertainties are standard errors
 
   /// Returns the relative uncertainty of a number; nullopt if none is stated.
   std::optional<double> uncertainty(std::size_t i) const {

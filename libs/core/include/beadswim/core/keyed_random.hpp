@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include "beadswim/core/vec3.hpp"
 
@@ -38,6 +39,11 @@ class KeyedRandom {
   double normal() {
     const double radius = std::sqrt(-2 * std::log(1 - uniform()));
     return radius * std::cos(2 * std::numbers::pi * uniform());
+  }
+  /// Returns two independent numbers as normal(), in about the time of one.
+  std::pair<double, double> normal_pair() {
+    const double radius = std::sqrt(-2 * std::log(1 - uniform())), angle = 2 * std::numbers::pi * uniform();
+    return {radius * std::cos(angle), radius * std::sin(angle)};
   }
   Vec3 normal3() {
     const double x = normal(), y = normal(), z = normal();

@@ -16,9 +16,9 @@ namespace beadswim {
   amplitude, arm, bead_boundary, boundary, box, cells_per_radius, checkpoint_every, count, cycle, cycles,    \
   damping, delay_correction, evaluations, flow_every, flow_frame, flow_mean, flow_points, flow_region,       \
   flow_spacing, fraction, frame, frames_per_cycle, frames_with, free_quantity, friction, limit, lubrication,  \
-  maximise, method, minimise, model, multipole_order, output, period, plan, precision, radius_correction, ranks,       \
+  maximise, method, minimise, model, multipole_order, noise_tolerance, output, period, plan, precision, radius_correction, ranks,       \
   refinement, relaxation_time, repair, restart, reynolds_stress, seed, sigma, steps_per_cycle, stiffness,    \
-  stroke_record, sum_tolerance, swimmer, tolerance, unbounded, verification, viscosity
+  stroke_record, sum_tolerance, swimmer, temperature, thermal_energy, tolerance, unbounded, verification, viscosity
 // clang-format on
 
 enum class Setting : int { BEADSWIM_SETTINGS };

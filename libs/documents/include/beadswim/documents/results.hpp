@@ -21,7 +21,8 @@ enum class RunUncertainty {
   with_expected_error,  ///< as above, with the expected error of the run if the record states it
 };
 
-/// Returns the results of a swimmer of a run, means over the chosen cycles. Throws InputError if the run
+/// Returns the results of a swimmer of a run, means over the chosen cycles. With thermal noise, the last
+/// cycle stands for all but the first, and uncertainties are standard errors. Throws InputError if the run
 /// lacks a chosen cycle. `source`: name of the record in messages.
 Results results_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
                    const std::string& source,
@@ -30,6 +31,9 @@ Results results_of(const RunRecord& run, const SwimmerRecord& swimmer, const Cyc
 /// Returns the arithmetic mean of each number and of relative uncertainties; a quantity that one element
 /// lacks is unknown. `all`: not empty.
 Results mean_of(const std::vector<Results>& all);
+
+/// Returns the mean of results of runs that differ in their noise alone, with its standard error.
+Results mean_with_errors(const std::vector<Results>& all);
 
 /// Returns the axis of the swimmer in the box, for which a prediction states vectors; nullopt if the scene is
 /// unknown (nullptr), or if the axis is not that of the scene, because the drives turn the swimmer.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beadswim/compare/cycle_statistics.hpp"
+#include "beadswim/compare/diffusion.hpp"
 #include "beadswim/compare/run_uncertainty.hpp"
 #include "beadswim/compare/swarm_statistics.hpp"
 #include "beadswim/core/vec3.hpp"
@@ -150,6 +151,22 @@ struct MobilityRecord {
                   (residual, omitted_if_none), cut_off, mesh_spacing, smallest_gap)
 };
 
+/// Thermal noise of a run with a mobility model.
+struct ThermalRecord {
+  double thermal_energy = 0;   ///< kT [mass length^2/time^2]
+  std::int64_t seed = 0;       ///< of the random numbers
+  double noise_tolerance = 0;  ///< accepted relative error of the noise in a step
+  double noise_error = 0;      ///< largest relative error of the noise in any step
+  // DiffusionStatistics of the ends of base cycles; nullopt in short runs
+  std::optional<double> lag{};
+  std::optional<MeanAndError<Vec3>> mean_velocity{};
+  std::optional<MeanAndError<double>> effective_diffusion{}, rotational_diffusion{}, persistence_time{};
+
+  BEADSWIM_FIELDS(thermal_energy, seed, noise_tolerance, noise_error, (lag, omitted_if_none),
+                  (mean_velocity, omitted_if_none), (effective_diffusion, omitted_if_none),
+                  (rotational_diffusion, omitted_if_none), (persistence_time, omitted_if_none))
+};
+
 /// Communication of a rank per lattice step. Each number is the maximum over all ranks.
 struct CommunicationRecord {
   int neighbours = 0;  ///< number of ranks to which a rank sends messages
@@ -200,6 +217,7 @@ struct RunRecord {
   DimensionlessNumbers dimensionless;
   std::optional<LatticeResolution> resolution;
   std::optional<MobilityRecord> mobility;
+  std::optional<ThermalRecord> thermal;  ///< nullopt: without noise
   std::optional<NearContactRecord> near_contact;
   std::optional<ErrorEstimate> expected_error;        ///< nullopt: unknown
   std::optional<std::vector<RunWarning>> warnings;    ///< nullopt: unknown
@@ -213,7 +231,7 @@ struct RunRecord {
   BEADSWIM_FIELDS(model, status, units, domain, (flow, omitted_if_none), (body_force, omitted_if_none),
                   driving, (swimmers, omitted_if_none), (swarm, omitted_if_none), momentum,
                   mass_relative_change, dimensionless, resolution, (reason, omitted_if_none),
-                  (mobility, omitted_if_none), (near_contact, omitted_if_none),
+                  (mobility, omitted_if_none), (thermal, omitted_if_none), (near_contact, omitted_if_none),
                   (expected_error, omitted_if_none), warnings, (cost, omitted_if_none), state_sha256,
                   (study, omitted_if_none), (request_sha256, omitted_if_none), (provenance, omitted_if_none))
 };

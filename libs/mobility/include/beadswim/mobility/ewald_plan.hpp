@@ -25,6 +25,9 @@ struct EwaldScene {
   /// [length]. nullopt: no wall.
   std::optional<Vec3> lengths_with_mirror_points{};
   double max_spacing = std::numeric_limits<double>::infinity();  ///< upper bound of the mesh spacing [length]
+  /// Ewald sum for the root of the mobility of forces in a periodic box (mobility_root.hpp): its parts are
+  /// positive, and the near part is summed several times for each evaluation on the mesh.
+  bool is_for_root = false;
 };
 
 /// Parameters of an Ewald sum, whose near part is summed over pairs of beads and whose far part is evaluated
@@ -44,12 +47,14 @@ struct EwaldPlan {
   /// Over the wall of a half-space: true if the mesh contains the mirror points of the beads. Few beads far
   /// from the wall would need a large mesh that is mostly empty.
   bool has_mirror_points = false;
+  bool is_positive = false;  ///< near and far part are positive (ewald_split.hpp)
 };
 
 /// Returns the parameters of the Ewald sum with the smallest estimated computing time for the tolerance of
 /// the scene (docs/method/mobility-product.md). In a periodic box the cutoff is at most half the shortest
-/// edge, so that at most one image of each pair is within the cutoff. Throws InputError if the tolerance is
-/// not in [1e-12, 1e-2], or if an edge of the periodic box is less than four times the largest radius.
+/// edge, so that at most one image of each pair is within the cutoff. For a root there are no parameters in
+/// too narrow a box: xi is 0. Throws InputError if the tolerance is not in [1e-12, 1e-2], or if an edge of
+/// the periodic box is less than four times the largest radius.
 EwaldPlan plan_ewald(const EwaldScene& scene);
 
 /// Returns the parameters of the Ewald sum for the flow at the points of the scene; nullopt if in open space

@@ -26,7 +26,13 @@
 //   8 pi eta oseen     = (s - g) I + (s + g) rr/r^2
 //   8 pi eta laplacian = [ c + g xi^2 (8 - 4 xi^2 r^2) ] I - [ 3 c + g xi^2 (4 - 4 xi^2 r^2) ] rr/r^2
 //
-//   s = erfc(xi r)/r,   g = 2 xi exp(-xi^2 r^2)/sqrt(pi),   c = (2 s + 2 g)/r^2
+//   s = erfc(xi r)/r,   g = 2 xi exp(-xi^2 r^2)/sqrt(pi),   c = (2 s + 2 g)/r^2,   y = xi^2 r^2
+//
+// The root of the mobility (mobility_root.hpp) needs parts that are both positive. Its far part has the form factors
+// (1 - a_i^2 k^2/6) (1 - a_j^2 k^2/6), so that the near part also contains a_i^2 a_j^2/36 times the second Laplacian:
+//
+//   8 pi eta bilaplacian = g xi^4 [ (-56 + 88 y - 16 y^2) I + (-72 y + 16 y^2) rr/r^2 ]
+//
 //   xi splitting [1/length], r distance of the centres, a_i, a_j radii [length], eta dynamic viscosity [mass/(length time)]
 //
 // References: Hasimoto, J. Fluid Mech. 5, 317 (1959); af Klinteberg, Shamshirgar and Tornberg, Res. Math.
@@ -35,18 +41,22 @@
 
 namespace beadswim {
 
-/// Mobility tensor of two spheres in two terms: oseen + (a_i^2 + a_j^2)/6 laplacian for the radii a_i and
-/// a_j. `oseen` is the tensor of two point forces [time/mass], `laplacian` its Laplacian
-/// [time/(mass length^2)].
-struct SplitTensor {
-  PairTensor oseen, laplacian;
+/// Sizes of two spheres in their mobility tensor.
+struct PairSizes {
+  double squares = 0;  ///< a_i^2 + a_j^2 of their radii [length^2]; 0: points
+  double product = 0;  ///< a_i^2 a_j^2 [length^4] in an Ewald sum with positive parts, else 0
+};
 
-  /// Returns the mobility tensor of two spheres whose radii a_i and a_j have a_i^2 + a_j^2 = squared_radii
-  /// [length^2]. For squared_radii = 0 this is the tensor of two point forces.
-  PairTensor sphere_tensor(double squared_radii) const {
-    const double size = squared_radii / 6;
-    return {.isotropic = oseen.isotropic + size * laplacian.isotropic,
-            .axial = oseen.axial + size * laplacian.axial};
+/// Mobility tensor of two spheres in its terms: `oseen` is the tensor of two point forces [time/mass],
+/// `laplacian` its Laplacian [time/(mass length^2)], `bilaplacian` the Laplacian of this.
+struct SplitTensor {
+  PairTensor oseen, laplacian, bilaplacian{};
+
+  /// Returns the mobility tensor of two spheres.
+  PairTensor sphere_tensor(const PairSizes& sizes) const {
+    const double size = sizes.squares / 6, second = sizes.product / 36;
+    return {.isotropic = oseen.isotropic + size * laplacian.isotropic + second * bilaplacian.isotropic,
+            .axial = oseen.axial + size * laplacian.axial + second * bilaplacian.axial};
   }
 };
 
@@ -58,25 +68,28 @@ inline SplitTensor near_tensor(double xi, double r, double eta) {
   const double x2 = xi * xi, r2 = r * r;
   const double g = 2 * xi / std::sqrt(std::numbers::pi) * std::exp(-x2 * r2);
   const double s = std::erfc(xi * r) / r;
-  const double c = (2 * s + 2 * g) / r2;
-  return {.oseen     = {unit * (s - g),
-                        unit * (s + g)},
-          .laplacian = {unit * (     c + g * x2 * (8 - 4 * x2 * r2)),
-                        unit * (-3 * c - g * x2 * (4 - 4 * x2 * r2))}};
+  const double c = (2 * s + 2 * g) / r2, y = x2 * r2;
+  return {.oseen       = {unit * (s - g),
+                          unit * (s + g)},
+          .laplacian   = {unit * (     c + g * x2 * (8 - 4 * x2 * r2)),
+                          unit * (-3 * c - g * x2 * (4 - 4 * x2 * r2))},
+          .bilaplacian = {unit * g * x2 * x2 * (-56 + 88 * y - 16 * y * y),
+                          unit * g * x2 * x2 * (-72 * y + 16 * y * y)}};
 }
 // clang-format on
 
 /// Returns the velocity that the far part of an Ewald sum gives to a sphere per force on the same sphere
 /// [time/mass]. If the far part is summed over all pairs of spheres including i = j, this value must be
-/// subtracted for each sphere. `squared_radius`: square of the radius [length^2], 0 for a point force.
-inline double far_self_mobility(double xi, double squared_radius, double viscosity) {
-  const double root = std::sqrt(std::numbers::pi);
-  return (4 * xi / root - 40.0 / 9 * squared_radius * xi * xi * xi / root) /
+/// subtracted for each sphere.
+inline double far_self_mobility(double xi, const PairSizes& sizes, double viscosity) {
+  const double root = std::sqrt(std::numbers::pi), x3 = xi * xi * xi;
+  return (4 * xi / root - 20.0 / 9 * sizes.squares * x3 / root +
+          28.0 / 9 * sizes.product * x3 * xi * xi / root) /
          (8 * std::numbers::pi * viscosity);
 }
 
 // clang-format off
-/// Evaluates the kernel of the mesh in open space at the distance r of two beads: the far part of the
+/// Evaluates oseen and laplacian of the kernel of the mesh in open space at the distance r of two beads: the far part of the
 /// mobility tensor without the factor exp(-share k^2/(4 xi^2)), which the Gaussian windows of the mesh apply
 /// (particle_mesh.hpp). The Fourier transform of the kernel for point forces is
 ///
@@ -96,8 +109,9 @@ inline SplitTensor far_tensor(double xi, double share, double r, double eta) {
   if (r == 0) {  // average of I - kk/k^2 over all directions of k: (2/3) I
     const double oseen   =   X      / (2 * root) +          X2 * X / (4 * root * xi * xi);
     const double lap     = -(X2 * X /      root  + 6 * X2 * X2 * X / (4 * root * xi * xi));
+    const double second  = 6 * std::pow(X, 5) / root + 15 * std::pow(X, 7) / (root * xi * xi);
     const double average = 2.0 / 3 / (std::numbers::pi * eta);
-    return {.oseen = {average * oseen, 0}, .laplacian = {average * lap, 0}};
+    return {.oseen = {average * oseen, 0}, .laplacian = {average * lap, 0}, .bilaplacian = {average * second, 0}};
   }
   struct Radial {
     double first, second;  // chi'/r and chi'' of a scalar chi

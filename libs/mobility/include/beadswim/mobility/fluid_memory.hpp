@@ -53,6 +53,7 @@ inline std::optional<FluidMemory> inertial_memory(const std::optional<FluidMemor
 
 /// Flow that a product evaluates.
 enum class FlowPart {
+  near,    ///< of the given forces, without the far part of an Ewald sum
   forces,  ///< of the given forces; linear in them
   all,     ///< with the background flow, and the flow that earlier forces have left in a fluid with memory
 };

@@ -50,7 +50,7 @@ namespace beadswim {
 struct MobilityScene {
   MobilityModel model = MobilityModel::rpy;
   double viscosity = 0;       ///< dynamic viscosity eta of the fluid [mass/(length time)]
-  std::optional<Box> box;     ///< nullopt: open space
+  Domain domain;              ///< a half-space without memory
   std::vector<double> radii;  ///< radius of each sphere [length]
   double tolerance = 1e-4;    ///< accepted error of sphere velocities, divided by their root mean square
   /// Index of the first sphere of each swimmer of three consecutive spheres that stay on a line. The model
@@ -59,7 +59,6 @@ struct MobilityScene {
   int moment_order =
       0;  ///< models multipole and unsteady: highest moment of the force on each sphere, 0 to 2
   std::optional<FluidMemory> memory{};    ///< model unsteady
-  std::optional<HalfSpace> half_space{};  ///< without box and memory
   BackgroundFlow flow{};                  ///< without box and memory
 };
 
@@ -135,6 +134,9 @@ class Mobility {
   /// Sets `projections` to those of the flow of `moments`, moment_count() numbers per sphere each
   /// (force_moments.hpp), without a map of close spheres and without background flow.
   void project_flow_of(std::span<const double> moments, std::span<double> projections);
+  /// Sets `velocities` to those of free spheres in a flow with these projections on their moments. Only with
+  /// force moments, without memory.
+  ProductWork move_in_flow(std::span<const double> projections, std::span<Vec3> velocities);
 
   /// Sets the fluid at rest. The forces begin to act. No effect without memory.
   ProductWork start(std::span<const Vec3> forces);

@@ -53,8 +53,7 @@ class NearField {
  public:
   /// Sets up the correction for spheres with these radii [length]. lines: as in
   /// MobilityScene.
-  NearField(std::vector<double> radii, std::vector<int> lines, double viscosity, std::optional<Box> box,
-            std::optional<HalfSpace> half_space);
+  NearField(std::vector<double> radii, std::vector<int> lines, double viscosity, Domain domain);
 
   /// Returns the corrections for beads at `positions` [length]. Throws NotFiniteError if multipole_mobility()
   /// throws it.
@@ -76,8 +75,7 @@ class NearField {
   std::vector<int> lines_;    ///< index of the first bead of each line
   std::vector<int> line_of_;  ///< index of the line of each bead; -1: none
   double viscosity_;
-  std::optional<Box> box_;
-  std::optional<HalfSpace> half_space_;
+  Domain domain_;
   Vec3 lengths_;  ///< edges of the periodic box that contains the mirror images [length]; 0: open space
   std::vector<LineMapTable<3>> triplet_tables_;
   std::vector<int> triplet_table_of_;  ///< index into triplet_tables_, per line

@@ -55,7 +55,8 @@ struct ContactScale {
   std::vector<int> swimmer;      ///< index of the swimmer of each bead of the scene
   double min_cutoff_per_radius;  ///< minimum of all cutoffs, divided by the mean radius
   /// Strength of the repulsion: the largest driving force [force]. Without driving, it is the force that
-  /// stretches the stiffest spring by the radius of the largest bead.
+  /// stretches the stiffest spring by the radius of the largest bead. With thermal noise it is at least 20 kT
+  /// divided by the smallest cutoff.
   double strength = 0;
   double largest_radius;  ///< radius of the largest bead [length]
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,9 @@ using Beads = std::vector<Vec3>;
 /// linear solver of a time step stops at a relative error of 0.3 times the tolerance of the mobility.
 struct OverdampedScene : Swarm, MobilityScene {  // `radii` and `lines` are set by mobility_scene()
   double step = 0;                               ///< time step [time]
+  double thermal_energy = 0;                     ///< kT [energy]; 0: no thermal noise
+  std::uint64_t seed = 1;                        ///< of the random numbers of the noise
+  double noise_tolerance = 1e-3;                 ///< accepted relative error of the noise (mobility_root.hpp)
 };
 
 /// Returns the mass of a bead minus the mass of the fluid that it displaces.

@@ -20,6 +20,8 @@ struct MobilitySettings {
   /// Time steps per shortest driving period of all swimmers; nullopt: at least `default_steps_per_cycle`, so
   /// many that each frame is taken at the end of a step.
   std::optional<int> steps_per_cycle;
+  std::optional<int> seed{};      ///< of the thermal noise; nullopt: that of the layout, else 1
+  double noise_tolerance = 1e-3;  ///< largest relative error of the thermal noise
 
   static constexpr int default_steps_per_cycle = 100;
 };
@@ -35,6 +37,8 @@ struct OverdampedSetup {
 /// Converts a layout to a scene for a mobility model. `frames_per_cycle`: number of frames that are recorded
 /// per base period. `source` is the name of the layout in messages. Throws InputError in these cases:
 ///   - The box of the layout has no-slip walls, or an edge below 4.4 times the radius of the largest bead.
+///   - The fluid has a thermal energy, and the model is oseen or unsteady, or the time steps are too long for
+///     contacts against noise.
 ///   - The model is unsteady, and the layout has a half-space or a background flow, or radii, densities, net
 ///     forces or the mesh exceed the limits of this model (docs/method/fluid-memory.md).
 OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, const MobilitySettings& settings,

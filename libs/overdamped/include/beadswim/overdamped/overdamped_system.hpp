@@ -10,6 +10,7 @@
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/mobility/mobility.hpp"
+#include "beadswim/mobility/mobility_root.hpp"
 #include "beadswim/overdamped/overdamped_scene.hpp"
 #include "beadswim/scene/fault.hpp"
 
@@ -40,7 +41,7 @@
 // the relaxation times of the springs, even if swimmers are close. One product mu F per step suffices if the
 // flow changes smoothly. Otherwise a step evaluates a few more products (implicit_step.hpp). Each of the
 // first two steps is extrapolated to third order from implicit Euler steps; with memory, earlier positions
-// are those at rest.
+// are those at rest. With thermal noise, each step is one of the implicit midpoint rule (thermal_noise.hpp).
 //
 // References: Hairer and Wanner, Solving Ordinary Differential Equations II (Springer 1996), III.1 and IV.9.
 // Page: docs/method/mobility-swarms.md.
@@ -69,6 +70,9 @@ struct OverdampedState {
   std::array<Beads, 3> distant;
   /// Eigenvector of the smallest eigenvalue of the mobility of oseen at its last check; other models: empty.
   Beads lowest_mode;
+  /// With thermal noise: velocities in the last step without those of the noise; otherwise empty.
+  Beads smooth;
+  double noise_error = 0;  ///< largest relative error of the noise in any step
 
   /// Visits the statistics.
   static void visit_fields(auto&& visit, auto& state) {
@@ -81,6 +85,7 @@ struct OverdampedState {
     visit("checked_steps", state.checked_steps);
     visit("checked_gap", state.checked_gap);
     visit("checked_height", state.checked_height);
+    visit("noise_error", state.noise_error);
   }
   /// Visits the vectors per bead that determine all later steps.
   static void visit_bead_fields(auto&& visit, auto& state) {
@@ -88,10 +93,12 @@ struct OverdampedState {
     visit("velocities", state.velocities);
     visit("distant", state.distant);
     visit("lowest_mode", state.lowest_mode);
+    visit("smooth", state.smooth);
   }
 };
 
 struct ImplicitStepResult;
+struct StepNoise;
 struct StepHistory;
 struct StepRule;
 struct StepScene;
@@ -148,13 +155,14 @@ class OverdampedSystem {
 
  private:
   ImplicitStepResult solve_step(const StepRule& rule, const StepHistory& history, const Beads& guess,
-                                const Beads& distant);
+                                const Beads& distant, const StepNoise* noise = nullptr);
   void add_work(const ProductWork& work);
   void solve_initial_velocities();
   bool moves_far(const Beads& from, const Beads& to) const;
   ImplicitStepResult take_euler_steps(int parts);
   void take_first_step();
   void take_bdf_step();
+  void take_noisy_step();
   void accept(ImplicitStepResult step);
   void update_extremes();
   void check_faults();
@@ -165,6 +173,7 @@ class OverdampedSystem {
   const Communicator& communicator_;
   std::vector<double> radii_;  ///< radius of each bead [length]
   Mobility mobility_;
+  std::unique_ptr<MobilityRoot> mobility_root_;  ///< null without thermal noise
   std::unique_ptr<const StepScene> step_scene_;
   OverdampedState state_;
   Beads forces_;  ///< of the beads on the fluid at the end of the last step; empty after restore()

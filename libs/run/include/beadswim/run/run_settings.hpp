@@ -153,6 +153,21 @@ struct RunSettings {
          .unset = "100, raised to a multiple of the frames",
          .low = 20,
          .high = 1e6});
+    add(Setting::seed, mobility.seed,
+        {.group = Group::model,
+         .scope = Scope::mobility,
+         .value = "N",
+         .help = "Seed of the thermal noise; runs with equal seeds have the same noise",
+         .unset = "the layout's, else 1",
+         .high = 2147483647,
+         .is_always_named = false});
+    add(Setting::noise_tolerance, mobility.noise_tolerance,
+        {.group = Group::model,
+         .scope = Scope::mobility,
+         .value = "E",
+         .help = "Largest relative error of the thermal noise in a step [1]",
+         .low = 1e-10,
+         .high = 0.1});
     add(Setting::cells_per_radius, lattice.cells_per_radius,
         {.scope = Scope::lattice,
          .value = "N",

@@ -36,10 +36,11 @@ struct Units {
 struct Fluid {
   double density = 1;              ///< rho [mass/length^3]
   double kinematic_viscosity = 0;  ///< nu [length^2/time]
+  double thermal_energy = 0;       ///< kT [mass length^2/time^2]; 0: no thermal noise
 
   double dynamic_viscosity() const { return density * kinematic_viscosity; }  ///< eta [mass/(length time)]
 
-  BEADSWIM_FIELDS(density, kinematic_viscosity)
+  BEADSWIM_FIELDS(density, kinematic_viscosity, (thermal_energy, omitted_if(0.0)))
 };
 
 /// State of a swimmer at the start of a run, instead of its shape at rest.
@@ -99,6 +100,7 @@ struct Layout {
   std::map<std::string, SwimmerType> types;
   std::vector<Swimmer> swimmers;
   std::optional<Resolution> resolution;
+  std::optional<std::int64_t> seed{};  ///< of the thermal noise
 
   /// Returns the driving of a swimmer: its own, otherwise that of its type.
   const Driving& driving_of(const Swimmer& swimmer) const;
@@ -109,12 +111,16 @@ struct Layout {
 
   BEADSWIM_FIELDS(units, fluid, domain, (flow, omitted_if(BackgroundFlow{})),
                   (body_force, omitted_when(record.body_force.isZero(0))), types, swimmers,
-                  (resolution, omitted_if_none))
+                  (resolution, omitted_if_none), (seed, omitted_if_none))
 };
 
 /// Returns the domain in words, for figures and messages: "box 120 × 80 × 80", "open space" or "half-space
 /// z > 0 over a no-slip wall".
 std::string in_words(const Domain& domain);
+
+/// Returns which models have thermal noise, and the number that decides it: the time a^2/nu in which the
+/// momentum of the fluid around a bead spreads, divided by the period.
+std::string models_with_noise(const Layout& layout);
 
 /// Returns true if a background flow, walls or a body force move the fluid.
 bool has_background_flow(const Layout& layout);

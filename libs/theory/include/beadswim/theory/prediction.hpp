@@ -9,6 +9,7 @@
 
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/theory/passive_diffusion.hpp"
 #include "beadswim/theory/stroke.hpp"
 
 namespace beadswim {
@@ -41,6 +42,7 @@ struct Prediction {
   std::optional<double> efficiency;  ///< Lighthill efficiency; predict() sets it and `power` (methods.hpp)
   std::optional<ForceDipole> dipole{};           ///< mean, [mass length^2/time^2]; nullopt if not predicted
   std::optional<std::vector<double>> arm_means;  ///< mean arm lengths [length]; nullopt if not predicted
+  std::optional<ThermalPrediction> thermal{};    ///< nullopt without thermal energy
 
   using Setting = std::pair<std::string, std::variant<std::string, double>>;
   std::vector<Setting> settings;  ///< names and values: assumptions, contributions to `velocity`
@@ -61,6 +63,7 @@ struct Prediction {
     visit("dipole", prediction.dipole, omitted_if_none);
     visit("stroke_uncertainty", prediction.stroke_uncertainty);
     visit("arm_means", prediction.arm_means);
+    visit("thermal", prediction.thermal, omitted_if_none);
     visit("settings", prediction.settings);
   }
 };

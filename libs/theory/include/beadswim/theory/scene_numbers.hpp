@@ -31,12 +31,18 @@ struct TypeNumbers {
   std::optional<double> start_displacement;
   std::optional<double> strain_per_period;               ///< shear rate G of the background flow x period
   std::optional<double> shear_reynolds;                  ///< G lambda^2 / nu with the largest radius lambda
+  // With thermal energy; the Peclet number nullopt where the motion to second order is not known
+  std::vector<double> thermal_over_spring{};  ///< kT/(k_i l_i^2)
+  /// Time in which momentum spreads around the largest bead, divided by the period: lambda^2/(nu T)
+  std::optional<double> momentum_time_over_period{};
+  std::optional<double> peclet{};  ///< passive_diffusion.hpp
 
   BEADSWIM_FIELDS((phase, omitted_if_none), (reynolds_bead, omitted_if_none), penetration_depth,
                   radius_over_penetration_depth, arm_over_radius, drag_over_spring,
                   (arm_amplitudes, omitted_if_none), arm_gaps, (box_over_swimmer_length, omitted_if_none),
                   (start_displacement, omitted_if_none), (strain_per_period, omitted_if_none),
-                  (shear_reynolds, omitted_if_none))
+                  (shear_reynolds, omitted_if_none), (thermal_over_spring, omitted_if_none),
+                  (momentum_time_over_period, omitted_if_none), (peclet, omitted_if_none))
 };
 
 /// Numbers of a resolved run (lattice simulation) with the cells per radius and the relaxation time that the

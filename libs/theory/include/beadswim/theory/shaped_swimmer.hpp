@@ -42,15 +42,14 @@ struct ShapedSwimmer {
   SwimmerType type;
   Eigen::Matrix3d orientation;  ///< at the start, from the frame of the type to the box
   double viscosity = 0;         ///< eta, dynamic [mass/(length time)]
-  std::optional<HalfSpace> half_space{};
+  Domain domain{};              ///< a box without flow
   BackgroundFlow flow{};
   /// Position of the swimmer where wall, box or flow make it matter [length]: mean position of the beads at
   /// time 0 for periodic_motion(), their mean position over a period for second_order_motion().
   Vec3 place = Vec3::Zero();
-  std::optional<Box> box{};  ///< with periodic and free-slip boundaries; without half-space and flow
 
   /// Returns true if the motion depends on place and orientation.
-  bool is_held() const { return half_space || box || !flow.velocity_gradient.isZero(0); }
+  bool is_held() const { return domain.half_space || domain.box || !flow.velocity_gradient.isZero(0); }
 
   bool operator==(const ShapedSwimmer&) const = default;
 };
