@@ -98,6 +98,22 @@ TEST(ErrorsOfAngles, AreDifferencesWithinHalfATurn) {
   EXPECT_EQ(row.arm, 1);
 }
 
+// Standard errors are relative to the same scale as the errors: a tiny reference does not make them large.
+TEST(Means, AgreeWithinTwoStandardErrorsOfWhatMoves) {
+  const auto row = [](double run, double expected) {
+    const ResultValue mean{.numbers = {run}, .uncertainties = {0.1}, .is_mean = true};
+    const std::vector references{reference("rpy-ode", {{ResultQuantity::velocity, {{expected}}}})};
+    return compare_swimmer({"r.json", 0, {{ResultQuantity::velocity, mean}}, moving}, references,
+                           {{ResultQuantity::velocity}, 0.01, 0})
+        .front();
+  };
+  EXPECT_TRUE(row(11, 9).pass);  // |11 - 9| < 2 x 1.1
+  EXPECT_NEAR(row(11, 9).tolerance, 2.2 / 9, 1e-12);
+  EXPECT_FALSE(row(12, 9).pass);
+  EXPECT_NEAR(row(1e-3, 1e-20).tolerance, 2e-4 / moving.speed, 1e-12);
+  EXPECT_FALSE(row(1e-3, 1e-20).pass);
+}
+
 // A power has no scale: one that should be zero and is not has no finite error.
 TEST(ZeroReference, LeavesAPowerWithoutAScale) {
   EXPECT_EQ(compared(ResultQuantity::power, 1e-9, 0).relative_error, infinity);

@@ -145,7 +145,7 @@ Figure diffusion_figure(const std::vector<std::string>& paths, const InputChoice
 
 DrawFigure add_diffusion_flags(CLI::App& command) {
   const auto choice = std::make_shared<InputChoice>();
-  add_method(command, *choice);
+  add_method_flag(command, *choice);
   return [choice](const PlotFiles& files) { return draw(diffusion_figure(files.inputs, *choice)); };
 }
 

@@ -35,7 +35,7 @@ DrawFigure add_swimmer_flags(CLI::App& command);
 DrawFigure add_product_flags(CLI::App& command);
 
 /// Adds the flag --method.
-void add_method(CLI::App& command, InputChoice& choice);
+void add_method_flag(CLI::App& command, InputChoice& choice);
 
 /// Adds the flags --method, which selects the methods whose predictions are drawn, and --cycle, which selects
 /// the cycles of runs.

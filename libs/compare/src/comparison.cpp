@@ -90,16 +90,16 @@ ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, 
   const double difference = set_numbers(run, reference, i, row);
   row.relative_error = relative_error(difference, row.reference);
   const double zero = zero_threshold(run.scale, reference, quantity);
-  if (std::abs(row.reference) <= zero || is_angle(quantity))
-    make_relative_to(run.scale.size_of(quantity, run.scale.speed),
-                     std::abs(difference) <= zero ? 0 : difference, row);
+  double scale = std::abs(row.reference);
+  if (scale <= zero || is_angle(quantity)) {
+    scale = run.scale.size_of(quantity, run.scale.speed);
+    make_relative_to(scale, std::abs(difference) <= zero ? 0 : difference, row);
+  }
   // Means with thermal noise agree within two standard errors of their difference.
-  double variance = 0;
-  if (run.results.at(quantity).is_mean) variance += std::pow(row.run_uncertainty.value_or(0) * row.run, 2);
-  if (reference.results.at(quantity).is_mean)
-    variance += std::pow(row.reference_uncertainty.value_or(0) * row.reference, 2);
-  if (row.reference != 0)
-    row.tolerance = std::max(tolerance, 2 * std::sqrt(variance) / std::abs(row.reference));
+  const auto standard_error = [&](const ResultValue& value) { return value.is_mean ? value.error(i) : 0; };
+  const double error =
+      std::hypot(standard_error(run.results.at(quantity)), standard_error(reference.results.at(quantity)));
+  if (scale > 0) row.tolerance = std::max(tolerance, 2 * error / scale);
   row.pass = std::abs(row.relative_error) <= row.tolerance;  // false for NaN
   return row;
 }

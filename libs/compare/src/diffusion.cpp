@@ -18,27 +18,29 @@ auto of_windows(std::span<const SwimmerPath> paths, std::size_t length, const Va
   return values;
 }
 
-MeanAndError<double> mean_of(const std::vector<double>& values) {
-  const auto count = static_cast<double>(values.size());
-  double mean = 0, square = 0;
-  for (const double value : values) mean += value / count;
-  for (const double value : values) square += (value - mean) * (value - mean);
-  return {.mean = mean, .standard_error = std::sqrt(square / (count * (count - 1)))};
-}
-
 MeanAndError<double> turning(std::span<const SwimmerPath> paths, std::size_t length) {
-  return mean_of(of_windows(paths, length, [](const SwimmerPath& path, std::size_t first, std::size_t last) {
-    return path.axes[first].dot(path.axes[last]);
-  }));
+  return mean_with_error(
+      of_windows(paths, length, [](const SwimmerPath& path, std::size_t first, std::size_t last) {
+        return path.axes[first].dot(path.axes[last]);
+      }));
 }
 
 }  // namespace
+
+MeanAndError<double> mean_with_error(std::span<const double> numbers) {
+  const auto count = static_cast<double>(numbers.size());
+  double mean = 0, square = 0;
+  for (const double number : numbers) mean += number / count;
+  for (const double number : numbers) square += (number - mean) * (number - mean);
+  return {.mean = mean, .standard_error = std::sqrt(square / (count * (count - 1)))};
+}
 
 DisplacementStatistics displacement_statistics(std::span<const SwimmerPath> paths, std::size_t intervals) {
   const auto square = [](const SwimmerPath& path, std::size_t first, std::size_t last) {
     return (path.places[last] - path.places[first]).squaredNorm();
   };
-  return {.square = mean_of(of_windows(paths, intervals, square)), .cosine = turning(paths, intervals)};
+  return {.square = mean_with_error(of_windows(paths, intervals, square)),
+          .cosine = turning(paths, intervals)};
 }
 
 namespace {
@@ -85,9 +87,9 @@ std::optional<DiffusionStatistics> diffusion_statistics(std::span<const SwimmerP
     squares.push_back(moved.squaredNorm() / (6 * result.lag));
     for (int a = 0; a < 3; ++a) velocities[a].push_back(moved[a] / result.lag);
   }
-  if (squares.size() >= fewest_windows) result.effective_diffusion = mean_of(squares);
+  if (squares.size() >= fewest_windows) result.effective_diffusion = mean_with_error(squares);
   for (int a = 0; a < 3; ++a) {
-    const MeanAndError<double> component = mean_of(velocities[a]);
+    const MeanAndError<double> component = mean_with_error(velocities[a]);
     result.mean_velocity.mean[a] = component.mean;
     result.mean_velocity.standard_error[a] = component.standard_error;
   }

@@ -142,16 +142,14 @@ void add_uncertainties(const RunRecord& run, const SwimmerUncertainty& of_cycle,
 
 /// Sets the uncertainties of means to their relative standard errors. Cycles have independent noise.
 void add_standard_errors(const std::vector<Results>& cycles, Results& means) {
-  const auto count = static_cast<double>(cycles.size());
   for (auto& [quantity, mean] : means) {
     mean.is_mean = true;
     mean.vector.reset();  // the swimmer turns
     mean.uncertainties.clear();
-    for (std::size_t i = 0; i < mean.numbers.size() && count > 1; ++i) {
-      double square = 0;
-      for (const Results& cycle : cycles)
-        square += std::pow(cycle.at(quantity).numbers[i] - mean.numbers[i], 2);
-      mean.uncertainties.push_back(std::sqrt(square / (count * (count - 1))) / std::abs(mean.numbers[i]));
+    for (std::size_t i = 0; i < mean.numbers.size() && cycles.size() > 1; ++i) {
+      std::vector<double> numbers;
+      for (const Results& cycle : cycles) numbers.push_back(cycle.at(quantity).numbers[i]);
+      mean.uncertainties.push_back(mean_with_error(numbers).standard_error / std::abs(mean.numbers[i]));
     }
   }
 }

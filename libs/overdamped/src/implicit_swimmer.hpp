@@ -57,8 +57,8 @@ struct StepHistory {
 /// Thermal noise in a time step (thermal_noise.hpp).
 struct StepNoise {
   Beads velocities;  ///< w, added to those by forces [length/time]
-  Beads
-      mobility_at;  ///< displacements from the start of the step at which the mobility is evaluated [length]
+  /// Displacements from the start of the step at which the mobility is evaluated [length].
+  Beads mobility_at;
 };
 
 /// A time step. The vectors of all beads are equal on all ranks, and must outlive this object.

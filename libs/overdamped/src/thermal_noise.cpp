@@ -14,15 +14,9 @@ std::uint64_t seed_of(const OverdampedScene& scene, long step, NoisePurpose purp
       .bits();
 }
 
-bool has_mirrors(const std::optional<Box>& box) {
-  for (int a = 0; a < 3 && box; ++a)
-    if (box->has_mirrors(a)) return true;
-  return false;
-}
-
 bool has_divergence(const OverdampedScene& scene) {
-  return scene.domain.half_space || has_mirrors(scene.domain.box) || scene.model == MobilityModel::rpy_near ||
-         highest_moment(scene) > 0;
+  return scene.domain.half_space || mirror_count(scene.domain.box) > 0 ||
+         scene.model == MobilityModel::rpy_near || highest_moment(scene) > 0;
 }
 
 /// Returns the length d of the random finite differences: products of relative error E are as accurate as

@@ -28,7 +28,7 @@ constexpr std::array<Work, 3> works{
     Work{.pair = 60, .window_point = 0.7, .mesh_point = 5, .mirror_pairs_per_mesh_point = 0.2}};
 
 /// Largest xi a of an Ewald sum whose near part must be positive. In dense random systems of equal and
-/// unequal spheres its smallest eigenvalue is then 0.06 times the mobility of a sphere, and -0.08 at xi a =
+/// unequal spheres its smallest eigenvalue is then 0.03 times the mobility of a sphere, and -0.08 at xi a =
 /// 0.9.
 constexpr double largest_positive = 0.6;
 

@@ -113,8 +113,8 @@ MobilityRoot::~MobilityRoot() = default;
 
 RootProduct MobilityRoot::at(std::span<const Vec3> positions, std::uint64_t seed) {
   const std::size_t spheres = positions.size();
-  mobility_.set_positions(positions);
   if (split_) return of_split(positions, seed);
+  mobility_.set_positions(positions);
   RootProduct result{.velocities = std::vector<Vec3>(spheres, Vec3::Zero())};
   const int order = highest_moment(scene_);
   const auto apply = [&](const Eigen::VectorXd& moments) {

@@ -1,33 +1,29 @@
 #include "beadswim/theory/passive_diffusion.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <cmath>
 
 #include "beadswim/collinear/rotne_prager.hpp"
+#include "beadswim/core/dense_systems.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
+#include "shape_flow.hpp"
 
 namespace beadswim {
 
 PassiveDiffusion passive_diffusion(const SwimmerType& type, const Fluid& fluid) {
   const ShapedSwimmer swimmer{type, Eigen::Matrix3d::Identity(), fluid.dynamic_viscosity()};
-  BeadVectors beads = columns_of_beads(rest_positions(type, Vec3::Zero(), swimmer.orientation));
-  beads.colwise() -= Vec3(beads.rowwise().mean());
-  Eigen::MatrixXd K(beads.size(), 6);
-  for (Eigen::Index b = 0; b < beads.cols(); ++b) {
-    K.block<3, 3>(3 * b, 0).setIdentity();
-    for (int a = 0; a < 3; ++a) K.block<3, 1>(3 * b, 3 + a) = Vec3::Unit(a).cross(beads.col(b));
-  }
-  const Eigen::MatrixXd mu = pair_mobility(swimmer, rotne_prager_tensor).matrix(beads);
-  // Beads on a line do not resist rotation about it, which the pseudoinverse leaves out.
-  const Eigen::MatrixXd resistance = K.transpose() * mu.llt().solve(K);
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(1e-10);
-  const Eigen::MatrixXd N = decomposition.compute(resistance).pseudoInverse();
+  const BeadVectors beads =
+      centred(columns_of_beads(rest_positions(type, Vec3::Zero(), swimmer.orientation)));
+  const std::vector<Vec3> axes = rotation_axes(beads);
+  const Eigen::MatrixXd K = rigid_motions(beads, axes),
+                        mu = pair_mobility(swimmer, rotne_prager_tensor).matrix(beads);
+  const Eigen::MatrixXd resistance = K.transpose() * solve(mu, K), N = inverse(resistance);
+  Eigen::Matrix3Xd turns(3, std::ssize(axes));
+  for (std::size_t r = 0; r < axes.size(); ++r) turns.col(static_cast<Eigen::Index>(r)) = axes[r];
+  const Eigen::Matrix3d rotation =
+      turns * N.bottomRightCorner(turns.cols(), turns.cols()) * turns.transpose();
   return {.translation = fluid.thermal_energy * N.topLeftCorner<3, 3>().trace() / 3,
-          .rotation = fluid.thermal_energy * (N(4, 4) + N(5, 5)) / 2};
+          .rotation = fluid.thermal_energy * (rotation(1, 1) + rotation(2, 2)) / 2};
 }
 
 ThermalPrediction predicted_diffusion(const SwimmerType& type, const Fluid& fluid, double speed) {

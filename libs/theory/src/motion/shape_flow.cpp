@@ -1,5 +1,7 @@
 #include "shape_flow.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
@@ -23,6 +25,30 @@ int highest_multiple(const Driving& driving) {
   for_each_harmonic(driving,
                     [&](const Harmonic& harmonic) { highest = std::max(highest, harmonic.multiple); });
   return highest;
+}
+
+std::vector<Vec3> rotation_axes(const BeadVectors& shape) {
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (const auto& x : shape.colwise())
+    inertia += x.squaredNorm() * Eigen::Matrix3d::Identity() - x * x.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia);
+  constexpr double negligible = 1e-12;
+  std::vector<Vec3> axes;
+  for (int a = 0; a < 3; ++a) {
+    if (principal.eigenvalues()[a] > negligible * principal.eigenvalues()[2])
+      axes.push_back(principal.eigenvectors().col(a));
+  }
+  return axes;
+}
+
+Eigen::MatrixXd rigid_motions(const BeadVectors& shape, const std::vector<Vec3>& axes) {
+  Eigen::MatrixXd motions(shape.size(), 3 + std::ssize(axes));
+  for (int a = 0; a < 3; ++a) motions.col(a) = Vec3::Unit(a).eval().replicate(shape.cols(), 1);
+  for (std::size_t r = 0; r < axes.size(); ++r) {
+    for (int b = 0; b < shape.cols(); ++b)
+      motions.col(3 + r).segment<3>(3 * b) = axes[r].cross(Vec3(shape.col(b)));
+  }
+  return motions;
 }
 
 double smallest_gap(const ShapedSwimmer& swimmer, const BeadVectors& beads) {

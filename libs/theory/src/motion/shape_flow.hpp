@@ -10,6 +10,14 @@
 
 namespace beadswim {
 
+/// Returns the axes about which a rotation moves the beads: three, two for beads on a line, none for one
+/// bead. `shape`: relative to the point on the axes.
+std::vector<Vec3> rotation_axes(const BeadVectors& shape);
+
+/// Returns the velocities of the beads, one column per motion: translations along x, y, z at unit speed, then
+/// rotations about `axes` at unit rate.
+Eigen::MatrixXd rigid_motions(const BeadVectors& shape, const std::vector<Vec3>& axes);
+
 inline auto as_components(const BeadVectors& beads) {
   return Eigen::Map<const Eigen::VectorXd>(beads.data(), beads.size());
 }

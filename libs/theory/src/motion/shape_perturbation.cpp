@@ -24,22 +24,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Returns the axes about which a rotation moves the beads: three, two for beads on a line, none for one
-/// bead.
-std::vector<Vec3> rotation_axes(const BeadVectors& shape) {
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  for (const auto& x : shape.colwise())
-    inertia += x.squaredNorm() * Eigen::Matrix3d::Identity() - x * x.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia);
-  constexpr double negligible = 1e-12;
-  std::vector<Vec3> axes;
-  for (int a = 0; a < 3; ++a) {
-    if (principal.eigenvalues()[a] > negligible * principal.eigenvalues()[2])
-      axes.push_back(principal.eigenvectors().col(a));
-  }
-  return axes;
-}
-
 /// Returns the springs on the relaxed shape with the stiffness and the damping of all coordinates. The first
 /// three free motions are translations along x, y, z, the next ones rotations about `axes`, the last ones
 /// deformations that no spring resists. The other deformations are orthonormal, D D^T = 1.
@@ -47,11 +31,7 @@ SpringNetwork spring_network(const BeadVectors& shape, const std::vector<Vec3>& 
                              const MatrixXd& stiffness, const MatrixXd& damping) {
   const Eigen::Index size = shape.size(), rigid = 3 + std::ssize(axes);
   MatrixXd columns = MatrixXd::Zero(size, size);
-  for (int a = 0; a < 3; ++a) columns.col(a) = Vec3::Unit(a).eval().replicate(shape.cols(), 1);
-  for (std::size_t r = 0; r < axes.size(); ++r) {
-    for (int b = 0; b < shape.cols(); ++b)
-      columns.col(3 + r).segment<3>(3 * b) = axes[r].cross(Vec3(shape.col(b)));
-  }
+  columns.leftCols(rigid) = rigid_motions(shape, axes);
   const MatrixXd deforming = orthonormal_basis(columns).rightCols(size - rigid);
   const SymmetricModes modes(deforming.transpose() * stiffness * deforming);
   constexpr double negligible = 1e-11;

@@ -37,6 +37,9 @@ struct MeanAndError {
   BEADSWIM_FIELDS(mean, standard_error)
 };
 
+/// Returns the mean of independent numbers; its error is NaN for fewer than two.
+MeanAndError<double> mean_with_error(std::span<const double> numbers);
+
 struct DiffusionStatistics {
   double lag = 0;  ///< tau [time]
   MeanAndError<Vec3> mean_velocity{.mean = Vec3::Zero(), .standard_error = Vec3::Zero()};  ///< [length/time]

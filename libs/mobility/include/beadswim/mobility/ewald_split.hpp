@@ -89,7 +89,8 @@ inline double far_self_mobility(double xi, const PairSizes& sizes, double viscos
 }
 
 // clang-format off
-/// Evaluates oseen and laplacian of the kernel of the mesh in open space at the distance r of two beads: the far part of the
+/// Evaluates the kernel of the mesh in open space at the distance r of two beads, for r > 0 without the second
+/// Laplacian, which open space does not need: the far part of the
 /// mobility tensor without the factor exp(-share k^2/(4 xi^2)), which the Gaussian windows of the mesh apply
 /// (particle_mesh.hpp). The Fourier transform of the kernel for point forces is
 ///

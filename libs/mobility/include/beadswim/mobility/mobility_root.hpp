@@ -18,13 +18,11 @@
 //
 // By domain and model, mu is one of these:
 //
-//   box, forces alone   near part of an Ewald sum whose parts are both positive (ewald_split.hpp). The far
-//   part
-//                       is a diagonal matrix of wavevectors, whose root needs one inverse Fourier transform
-//   force moments       grand mobility G: the flow with its noise (u_F, u_H) gives free spheres the
-//   velocities
-//                       u_F - M_FH M_HH^-1 u_H, whose covariance is M_FF - M_FH M_HH^-1 M_HF
-//   else                the whole mobility
+//   box, forces alone  near part of an Ewald sum whose parts are both positive (ewald_split.hpp). The far
+//                      part is a diagonal matrix of wavevectors: its root needs one inverse transform
+//   force moments      grand mobility G: the flow with its noise (u_F, u_H) gives free spheres the velocities
+//                      u_F - M_FH M_HH^-1 u_H, whose covariance is M_FF - M_FH M_HH^-1 M_HF
+//   else               the whole mobility
 //
 // References: Chow and Saad, SIAM J. Sci. Comput. 36, A588 (2014); Fiore, Balboa Usabiaga, Donev and Swan, J.
 // Chem. Phys. 146, 124116 (2017). Page: docs/method/thermal-noise.md.
@@ -50,8 +48,8 @@ class MobilityRoot {
                Mobility& mobility, const Communicator& communicator);
   ~MobilityRoot();
 
-  /// Returns B z at the positions, to which it sets those of the mobility. The numbers z depend on the seed,
-  /// the sphere or wavevector, and the component. The result is equal on all ranks. Collective.
+  /// Returns B z at the positions; the mobility can be at others afterwards. The numbers z depend on the
+  /// seed, the sphere or wavevector, and the component. The result is equal on all ranks. Collective.
   RootProduct at(std::span<const Vec3> positions, std::uint64_t seed);
 
  private:
