@@ -41,7 +41,7 @@ void for_each_point(const MeshTransform& transform, const Points& n, const Visit
 TEST(MeshTransform, IsTheFourierTransform) {
   const Communicator world(MPI_COMM_WORLD);
   for (const Points& n : {Points{6, 9, 8}, {7, 4, 5}, {2, 10, 3}, {10, 2, 4}, {2, 2, 4}}) {
-    const MeshTransform transform(n, world);
+    const MeshTransform transform(n, n, world);
     const FftwArray values = transform.array();
     for_each_point(transform, n,
                    [&](std::ptrdiff_t place, int x, int y, int z) { values[place] = value_at(x, y, z); });

@@ -1,27 +1,35 @@
 #!/bin/bash
 # Compares the speed of this working tree with the speed of another revision, as ratios, on this machine.
-#   tests/performance/compare_revisions.sh REVISION [--rounds N] [--tolerance E] [--ranks N]
+#   tests/performance/compare_revisions.sh REVISION [--rounds N] [--tolerance E] [--ranks N] [--scenes NAME,...]
 # REVISION (a commit, tag or branch) is built in a temporary folder; "this" is the working tree, built in build/release. Both
 # builds run the same scenes alternately in N rounds (default 7). The script prints the median over the rounds of the ratio of
 # speeds, so that slow changes of the machine's speed affect both builds equally. The exit status is 1 if a scene has become
-# slower by more than the fraction E (default 0.05). This script is not one of the tests, because a benchmark needs an idle
-# machine and takes minutes.
+# slower by more than the fraction E (default 0.05). Speeds are million cell updates per second of lattice runs, and mobility
+# products per second (product-*, 34,560 beads). Default: all scenes. This script is not one of the tests, because a benchmark
+# needs an idle machine and takes minutes.
 set -euo pipefail
 self=$(realpath "$0")
 cd "$(dirname "$self")/../.."
 
-usage() { sed -n '2,9s/^# \{0,1\}//p' "$self"; }
+usage() { sed -n '2,10s/^# \{0,1\}//p' "$self"; }
 fail() { echo "compare_revisions.sh: $2" >&2; exit "$1"; }
 rounds=7 tolerance=0.05 ranks=1 revision=
+scenes=small-periodic,dense-periodic,large-periodic,large-walled
+scenes+=,product-periodic,product-open,product-unsteady,product-order-1,product-order-2
 while [ $# -gt 0 ]; do
   case "$1" in
     --help) usage; exit 0 ;;
-    --rounds | --tolerance | --ranks)
+    --rounds | --tolerance | --ranks | --scenes)
       [ $# -ge 2 ] || fail 2 "$1 needs a value"
       declare "${1#--}=$2"; shift 2 ;;
-    -*) fail 2 "unknown flag $1; --rounds, --tolerance, --ranks and --help are known" ;;
+    -*) fail 2 "unknown flag $1; --rounds, --tolerance, --ranks, --scenes and --help are known" ;;
     *) revision=$1; shift ;;
   esac
+done
+IFS=, read -ra scenes <<<"$scenes"
+for scene in "${scenes[@]}"; do
+  [[ $scene =~ ^((small|dense|large)-periodic|large-walled|product-(periodic|open|unsteady|order-[12]))$ ]] ||
+    fail 2 "\"$scene\" is no scene of --scenes; see --help"
 done
 for count in "$rounds" "$ranks"; do
   [[ $count =~ ^[1-9][0-9]*$ ]] || fail 2 "\"$count\" is no count; --rounds and --ranks take whole numbers from 1"
@@ -42,7 +50,7 @@ git clone --quiet . "$scratch/other"
 git -C "$scratch/other" checkout --quiet "$commit"
 
 build() { # FOLDER
-  (cd "$1" && cmake --preset release >/dev/null && cmake --build --preset release --target beadswim-layout beadswim-run)
+  (cd "$1" && cmake --preset release >/dev/null && cmake --build --preset release --target beadswim-layout beadswim-run beadswim-bench)
 }
 echo "Building this and $(git log -1 --format='%h (%s)' "$commit")" >&2
 build . >"$scratch/this.log" 2>&1 || { tail -20 "$scratch/this.log" >&2; exit 3; }
@@ -76,12 +84,26 @@ mlups() { # PROGRAMS SCENE
   mpirun -n "$ranks" "$1/beadswim-run" "$2.json" -o "$2.h5md" --cycles "${cycles[$2]}" --frames-per-cycle 4 \
     --progress none ${beads[$1]-} | jq -e '.cost.mlups | select(. > 0)'
 }
+products() { # PROGRAMS SCENE
+  local surroundings=periodic flags=()
+  case "$2" in
+    product-open) surroundings=open ;;
+    product-unsteady) flags=(--unsteady) ;;
+    product-order-*) flags=(--multipole-order "${2##*-}") ;;
+  esac
+  mpirun -n "$ranks" "$1/beadswim-bench" --beads 34560 --rounds 1 --json "${flags[@]}" 2>bench.log |
+    jq -e --arg surroundings "$surroundings" --argjson ranks "$ranks" \
+      '.mobility_products[] | select(.surroundings == $surroundings and .ranks == $ranks) | 1 / .seconds'
+}
+speed() { # PROGRAMS SCENE
+  if [[ $2 == product-* ]]; then products "$@"; else mlups "$@"; fi
+}
 for ((round = 1; round <= rounds; ++round)); do
-  for name in small-periodic dense-periodic large-periodic large-walled; do
+  for name in "${scenes[@]}"; do
     if ((round % 2 == 1)); then  # neither is always the first
-      a=$(mlups "$this" "$name") && b=$(mlups "$other" "$name") || fail 3 "$name cannot be run"
+      a=$(speed "$this" "$name") && b=$(speed "$other" "$name") || fail 3 "$name cannot be run"
     else
-      b=$(mlups "$other" "$name") && a=$(mlups "$this" "$name") || fail 3 "$name cannot be run"
+      b=$(speed "$other" "$name") && a=$(speed "$this" "$name") || fail 3 "$name cannot be run"
     fi
     echo "$name $a $b"
   done
@@ -96,14 +118,14 @@ awk -v tolerance="$tolerance" '
   }
   { if (!($1 in n)) order[++scenes] = $1; k = ++n[$1]; a[$1, k] = $2; b[$1, k] = $3 }
   END {
-    printf "%-16s %12s %12s %8s\n", "scene", "this MLUPS", "other MLUPS", "ratio"
+    printf "%-16s %12s %12s %8s\n", "scene", "this speed", "other speed", "ratio"
     for (s = 1; s <= scenes; ++s) {
       name = order[s]
       for (k = 1; k <= n[name]; ++k) { x[k] = a[name, k]; y[k] = b[name, k]; r[k] = x[k] / y[k] }
       ratio = median(r, n[name])
       slower = ratio < 1 - tolerance
       if (slower) failed = 1
-      printf "%-16s %12.1f %12.1f %8.3f%s\n", name, median(x, n[name]), median(y, n[name]), ratio, slower ? "  slower" : ""
+      printf "%-16s %12.4g %12.4g %8.3f%s\n", name, median(x, n[name]), median(y, n[name]), ratio, slower ? "  slower" : ""
     }
     exit failed
   }' speeds

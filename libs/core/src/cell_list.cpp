@@ -4,7 +4,8 @@
 
 namespace beadswim {
 
-CellList::CellList(std::span<const Vec3> positions, double cutoff, const Vec3& lengths) : lengths_(lengths) {
+CellList::CellList(std::span<const Vec3> positions, double cutoff, const Vec3& lengths, int reach)
+    : lengths_(lengths), reach_(reach) {
   const Eigen::AlignedBox3d bounds = bounding_box(positions);
   if (!is_periodic()) low_ = bounds.min();
   // `max_count` is an upper bound of the number of cells along each axis. It limits the number of all cells
@@ -14,7 +15,7 @@ CellList::CellList(std::span<const Vec3> positions, double cutoff, const Vec3& l
     const double extent = is_periodic() ? lengths_[a] : bounds.sizes()[a];
     const bool is_finite = std::isfinite(extent);  // if false, one cell contains all points along this axis
     counts_[a] =
-        is_finite ? static_cast<int>(std::clamp(std::floor(2 * extent / cutoff), 1.0, max_count)) : 1;
+        is_finite ? static_cast<int>(std::clamp(std::floor(reach * extent / cutoff), 1.0, max_count)) : 1;
     inverse_edge_[a] = is_finite && extent > 0 ? counts_[a] / extent : 0;
   }
 

@@ -6,9 +6,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/gauss_legendre.hpp"
 #include "beadswim/core/setting.hpp"
+#include "ewald_split.hpp"
+#include "window_table.hpp"
 
 namespace beadswim {
 namespace {
@@ -16,20 +20,22 @@ namespace {
 // Measured computing times, divided by the computing time per pair of beads (docs/performance.md).
 struct Work {
   double pair = 1;
-  double window_point = 0.1;  ///< per bead and mesh point of its window, for three components
-  double mesh_point = 1.7;    ///< per mesh point, for six Fourier transforms
+  double window_point = 0.075;  ///< per bead and mesh point of its window, for three components
+  double mesh_point = 1.1;      ///< per mesh point, for six Fourier transforms
   /// Over a wall: number of pairs of a bead and a mirror point that take as long as one mesh point.
   double mirror_pairs_per_mesh_point = 2;
 };
 
 /// By the highest moment of the forces; with moments, there are two fields of three components.
 constexpr std::array<Work, 3> works{
-    Work{}, Work{.pair = 15, .window_point = 0.5, .mesh_point = 5, .mirror_pairs_per_mesh_point = 0.6},
-    Work{.pair = 60, .window_point = 0.7, .mesh_point = 5, .mirror_pairs_per_mesh_point = 0.2}};
+    Work{}, Work{.pair = 6, .window_point = 0.19, .mesh_point = 2, .mirror_pairs_per_mesh_point = 0.6},
+    Work{.pair = 23, .window_point = 0.29, .mesh_point = 2, .mirror_pairs_per_mesh_point = 0.2}};
+/// Of mesh points in open space, where most lines of values are not transformed.
+constexpr double open_share = 0.65;
 
-/// Largest xi a of an Ewald sum whose near part must be positive. In dense random systems of equal and
-/// unequal spheres its smallest eigenvalue is then 0.03 times the mobility of a sphere, and -0.08 at xi a =
-/// 0.9.
+/// Largest xi a of an Ewald sum whose near part must be positive, where the splitting function decreases as
+/// exp(-xi^2 r^2) near r = 0. In dense random systems of equal and unequal spheres its smallest eigenvalue is
+/// then 0.03 times the mobility of a sphere, and -0.08 at xi a = 0.9.
 constexpr double largest_positive = 0.6;
 
 /// Returns the number of points of a mesh in a box with these edges.
@@ -51,11 +57,14 @@ double work(const EwaldScene& scene, const EwaldPlan& plan) {
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
   const double neighbours = 4.0 / 3 * std::numbers::pi * std::pow(plan.cutoff, 3) * scene.beads / volume;
   const Work& each = works[scene.moment_order];
-  const double on_mesh = each.window_point * scene.beads * std::pow(plan.window, 3) +
-                         each.mesh_point * mesh_points(scene, plan, scene.lengths);
+  const int row = (plan.window + 3) / 4 * 4;  // of a window, which consists of whole vectors
+  const double in_window = plan.window * plan.window * row;
+  const double on_mesh =
+      each.window_point * scene.beads * in_window +
+      each.mesh_point * (scene.is_periodic ? 1 : open_share) * mesh_points(scene, plan, scene.lengths);
   if (scene.points > 0)
-    return scene.points * (work_per_near_point[scene.moment_order] * neighbours +
-                           work_per_gathered_point * std::pow(plan.window, 3)) +
+    return scene.points *
+               (work_per_near_point[scene.moment_order] * neighbours + work_per_gathered_point * in_window) +
            on_mesh;
   const double on_pairs = each.pair * scene.beads * neighbours / 2;
   constexpr double near_sums = 8,
@@ -73,49 +82,131 @@ bool has_mirror_points(const EwaldScene& scene, const EwaldPlan& plan) {
          scene.beads * (scene.points > 0 ? scene.points : scene.beads);
 }
 
-/// Returns s = xi * cutoff for which the error of the velocities is within the tolerance. The estimate
-/// assumes random forces F on spheres of radius a with the number density n. The pairs beyond the cutoff
-/// contribute to the velocity of a sphere about
-///
-///   F/(6 pi eta a)  3/(2 sqrt(pi)) xi a (1 + 4/3 (xi a s)^2) exp(-s^2) sqrt(pi n s/xi^3)
-///
-/// This is the square root of the sum over all spheres at r > s/xi of the squared Gaussians in the near part
-/// of the mobility tensor. The neglected wavevectors contribute an error of equal size. Each of the two
-/// errors may be at most a third of the tolerance.
-double scaled_cutoff(const EwaldScene& scene, double xi) {
-  const double density = scene.beads / (scene.lengths[0] * scene.lengths[1] * scene.lengths[2]);
-  const double size = xi * scene.largest_radius;
-  double s = 3;
-  for (int i = 0; i < 20; ++i) {
-    const double each = 1.5 / std::sqrt(std::numbers::pi) * size * (1 + 4.0 / 3 * size * size * s * s);
-    const double error = 3 * each * std::sqrt(std::numbers::pi * density * s / (xi * xi * xi));
-    s = std::sqrt(std::max(4.0, std::log(std::max(error, 0.5) / scene.tolerance)));
+// clang-format off
+// Errors of the velocities of random forces F on spheres of radius a with the number density n, divided by the velocity
+// F/(6 pi eta a) of a sphere. G = s(k) p(k)/(eta k^2) is the far part of the mobility; p contains the sizes of the spheres
+// and the orders of the moments. <> is the mean over the directions of k.
+//
+//   truncation of the wavevectors     n 2/3 integral of G^2 d^3k/(2 pi)^3 over k from k_m = pi/h to 1.5 k_m,
+//                                     and of each sphere at itself   2/3 integral of G d^3k/(2 pi)^3
+//   aliases of the windows W          n 4 integral of G^2 <sum over m of (W(k_x + 2 pi m/h)/W(k_x))^2> d^3k/(2 pi)^3 below k_m
+//
+// The first and the last are mean squares. Beyond 1.5 k_m, s(k) belongs to the edge of the near part alone. Direct sums of
+// random forces had errors of 0.7 to 1.2 times the first one, and 1.2 to 1.8 times the last one.
+// clang-format on
+
+/// Shape of the splitting function minus k_m times the cutoff; the truncation error is within 30 % of its
+/// minimum.
+constexpr double extra_shape = 0.7;
+/// Shape of a window, divided by its number of points.
+constexpr double window_shape = 1.9;
+/// In open space, the mesh has wavevectors beyond k_m, where the filter of the kernel may be inaccurate
+/// (particle_mesh.cpp).
+constexpr double open_oversampling(int window) {
+  return window > 8 ? 1.1 : 1.05;
+}
+constexpr int min_window = 4;
+
+/// Mean square alias of windows of each number of points at the wavenumber k = x pi/h.
+struct Aliases {
+  struct Node {
+    double x, weight;
+    std::array<double, WindowTable::max_points + 1> square, own;  ///< by points of the window
+  };
+  std::vector<Node> nodes;
+
+  Aliases() {
+    for (const auto& [x, weight] : gauss_legendre(16, 0, 1)) {
+      Node node{.x = x, .weight = weight, .square = {}, .own = {}};
+      for (int points = min_window; points <= WindowTable::max_points; ++points) {
+        const double square = std::pow(window_shape * points, 2);
+        const auto transform = [&](double k) { return sinh_ratio(square - std::pow(k * points / 2, 2)); };
+        for (const auto& [along, share] : gauss_legendre(8, 0, 1)) {
+          const double k = std::numbers::pi * x * along, own = transform(k);
+          for (const int m : {-1, 1}) {
+            const double alias = transform(k + 2 * std::numbers::pi * m) / own;
+            node.square[points] += 3 * share * alias * alias;
+            node.own[points] += share * alias / 2;
+          }
+        }
+      }
+      nodes.push_back(node);
+    }
   }
-  return s;
+};
+
+/// Mean square errors of an Ewald sum.
+struct Errors {
+  double truncation = 0;
+  std::array<double, WindowTable::max_points + 1> of_window{};
+};
+
+/// Returns the errors for the cutoff c, if the largest wavenumber is k_m = z/c.
+Errors errors(const EwaldScene& scene, const Aliases& aliases, double cutoff, double z) {
+  const double largest = z / cutoff, a2 = scene.largest_radius * scene.largest_radius;
+  const double density = scene.beads / (scene.lengths[0] * scene.lengths[1] * scene.lengths[2]);
+  const double smallest = 2 * std::numbers::pi / scene.lengths.maxCoeff();  // wavenumber
+  const double square = std::pow(z + extra_shape, 2), whole = sinh_ratio(square);
+  const auto moments = [&](double k) {
+    const double size = a2 * k * k;
+    return scene.moment_order == 0 ? 1
+                                   : std::sqrt(1 + size + (scene.moment_order == 1 ? 0 : size * size / 60));
+  };
+  const auto far_part = [&](double k, bool is_at_cutoff) {
+    const double waves = k * k * cutoff * cutoff, size = a2 * k * k;
+    // The terms of the sizes of two spheres nearly cancel at some wavenumber, but not their errors at the
+    // cutoff.
+    const double second = scene.is_for_root ? size * size / 36 : 0;
+    const double sizes = is_at_cutoff ? std::hypot(1, size / 3, second) : 1 - size / 3 + second;
+    const double share = (sinh_ratio(square - waves) + waves * sinh_ratio_slope(square - waves)) / whole;
+    return (k < scene.memory_cutoff ? 1 : share) * sizes * moments(k);
+  };
+  // With the weight 4 pi k^2/(2 pi)^3, in the unit 1/(6 pi a).
+  const double unit = 3 * scene.largest_radius / std::numbers::pi;
+  Errors result;
+  double own = 0;
+  for (const auto& [k, weight] : gauss_legendre(16, largest, 1.5 * largest)) {
+    const double far = far_part(k, true) * moments(k);
+    result.truncation += weight * far * far / (k * k);
+    own += weight * far;
+  }
+  const double pairs = unit * unit * 2.0 / 3 * density * 2 * std::numbers::pi * std::numbers::pi;
+  result.truncation = pairs * result.truncation + std::pow(2.0 / 3 * unit * own / 2, 2);
+  std::array<double, WindowTable::max_points + 1> own_alias{};
+  for (const auto& [x, weight, of_pairs, of_own] : aliases.nodes) {
+    const double k = x * largest, far = far_part(k, false) * moments(2 * largest - k / 2);
+    for (int points = min_window; points <= WindowTable::max_points; ++points) {
+      if (k > smallest)
+        result.of_window[points] += 2 * pairs * weight * largest * far * far / (k * k) * of_pairs[points];
+      own_alias[points] += weight * largest * far * of_own[points];
+    }
+  }
+  for (int points = min_window; points <= WindowTable::max_points; ++points)
+    result.of_window[points] += 24 * std::pow(2.0 / 3 * unit * own_alias[points], 2);
+  return result;
 }
 
-/// Returns the cutoff and the mesh of an Ewald sum with the splitting parameter xi [1/length] whose estimated
-/// error is within the tolerance.
-EwaldPlan plan_with(const EwaldScene& scene, double xi) {
-  const double s = scaled_cutoff(scene, xi);
-  // For a window of P points per axis, numerical experiments gave the smallest error, 4 exp(-1.36 P) for
-  // small beads, with the window shape m = 0.95 sqrt(pi P) (docs/method/mobility-product.md).
-  const auto shape = [](int points) { return 0.95 * std::sqrt(std::numbers::pi * points); };
-  const double size = xi * s * scene.largest_radius;
-  const auto error = [&](int points) {
-    return 4 * (1 + 0.6 * size * size * size * size) * std::exp(-1.36 * points);
-  };
-  int window = 6;
-  while (window < 26 && error(window) > scene.tolerance) window += 2;
-  // The windows may apply at most the share 0.6 of the exponent of the far part's Gaussian:
-  // share = (window pi/(2 s m))^2 <= 0.6. Otherwise the remaining kernel of open space is too narrow for the
-  // mesh, and its samples alias.
-  const double minimum = std::numbers::pi * window / shape(window) / (2 * std::sqrt(0.6));
-  return {.xi = xi,
-          .cutoff = s / xi,
-          .spacing = std::min(std::numbers::pi / (2 * std::max(s, minimum) * xi), scene.max_spacing),
-          .window = window,
-          .window_shape = shape(window)};
+/// Returns the parameters of Ewald sums with this cutoff whose estimated error is within the tolerance: for
+/// each number of points of the window, those with the coarsest mesh.
+std::vector<EwaldPlan> plans_with(const EwaldScene& scene, const Aliases& aliases, double cutoff) {
+  constexpr double safety = 1.4, min_z = 4, max_z = 80, factor = 1.04;
+  const double allowed = std::pow(scene.tolerance / safety, 2);
+  std::vector<EwaldPlan> plans;
+  int points = WindowTable::max_points;
+  constexpr double memory_share = 0.95;  // of the largest wavenumber
+  const double of_memory = scene.memory_cutoff * cutoff / memory_share;
+  for (double z = std::max(min_z, of_memory); z < std::max(max_z, 1.5 * of_memory) && points >= min_window;
+       z *= factor) {
+    const Errors error = errors(scene, aliases, cutoff, z);
+    for (; points >= min_window && error.truncation + error.of_window[points] <= allowed; --points)
+      plans.push_back(
+          {.cutoff = cutoff,
+           .shape = z + extra_shape,
+           .spacing = std::numbers::pi * cutoff / z / (scene.is_periodic ? 1 : open_oversampling(points)),
+           .window = points,
+           .window_shape = window_shape * points});
+  }
+  return plans;
 }
 
 }  // namespace
@@ -126,41 +217,44 @@ EwaldPlan plan_ewald(const EwaldScene& asked) {
                      fmt::format("the tolerance {} is not between 1e-12 and 1e-2; give a value in this range",
                                  asked.tolerance));
   EwaldScene scene = asked;
-  // Derivatives of the flow have larger relative errors than the flow: up to 2.3 times the tolerance was
-  // measured for random moments in a small box. A factor of 8 leaves a margin.
-  if (scene.moment_order > 0) scene.tolerance /= 8;
-  // The flow that the wall adds contains derivatives of two higher orders. Without this factor, errors of up
-  // to 2.2 times the tolerance were measured for forces alone, and 0.9 times for moments.
-  if (scene.lengths_with_mirror_points) scene.tolerance /= scene.moment_order > 0 ? 2 : 4;
+  // The estimate of aliases is too small for moments of order 2: up to 2.2 times the tolerance was measured.
+  if (scene.moment_order == 2) scene.tolerance /= 2;
+  // The flow that the wall adds contains derivatives of two higher orders. Without these factors, errors of
+  // up to 12 times the tolerance were measured for forces alone, and 45 times for moments.
+  if (scene.lengths_with_mirror_points) scene.tolerance /= scene.moment_order > 0 ? 64 : 32;
   const double shortest = scene.lengths.minCoeff();
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
   // The trial cutoffs decrease to the largest bead diameter. The first one is half the shortest edge of a
   // periodic box, or V^(1/3) in open space, where V is the volume of the box around all beads.
   const double max_cutoff = scene.is_periodic ? shortest / 2 : std::cbrt(volume);
   const double min_cutoff = 2 * scene.largest_radius;  // the sum over pairs must include overlapping beads
-  // The near part is positive for small xi a only.
-  const double max_xi = scene.is_for_root ? largest_positive / scene.largest_radius : INFINITY;
   if (max_cutoff < min_cutoff)
     throw InputError("box", fmt::format("the shortest box edge {} is less than four times the largest bead "
                                         "radius {}; enlarge the box or use open space ({})",
                                         shortest, scene.largest_radius, Setting::unbounded));
+  const Aliases aliases;
   EwaldPlan best;
   double minimum = INFINITY;
   constexpr int trials = 60;
   for (int t = 0; t < trials; ++t) {
     const double cutoff = std::max(max_cutoff * std::pow(0.9, t), min_cutoff);
-    double xi = 5 / cutoff;
-    for (int i = 0; i < 5; ++i)
-      xi *= plan_with(scene, xi).cutoff / cutoff;  // xi * cutoff depends weakly on xi
-    EwaldPlan plan = plan_with(scene, std::min(xi, max_xi));
-    if (scene.is_for_root && plan.cutoff > max_cutoff) continue;
-    plan.cutoff = std::min(plan.cutoff, max_cutoff);
-    if (const double w = work(scene, plan); w < minimum) {
-      minimum = w;
-      best = plan;
+    for (const EwaldPlan& plan : plans_with(scene, aliases, cutoff)) {
+      if (scene.is_for_root && std::sqrt(plan.shape / 2) * scene.largest_radius > largest_positive * cutoff)
+        continue;
+      if (const double w = work(scene, plan); w < minimum) {
+        minimum = w;
+        best = plan;
+      }
     }
+    if (cutoff == min_cutoff) break;
   }
-  if (best.xi == 0) return best;  // no positive parts in so narrow a box
+  if (best.cutoff == 0 && !scene.is_for_root)
+    throw InputError(
+        Setting::tolerance,
+        fmt::format("the tolerance {} cannot be met in a box whose shortest edge is {}; increase the "
+                    "tolerance or enlarge the box",
+                    asked.tolerance, shortest));
+  if (best.cutoff == 0) return best;  // no positive parts in so narrow a box
   best.has_mirror_points = has_mirror_points(scene, best);
   best.is_positive = scene.is_for_root;
   constexpr double max_points = 1e9;

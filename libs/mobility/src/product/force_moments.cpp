@@ -148,23 +148,16 @@ Eigen::MatrixXd moment_self_mobility_below(double wavenumber, int order, double 
   return self_mobility_of(integrals, order, viscosity);
 }
 
-Eigen::MatrixXd far_moment_self_mobility(double xi, int order, double radius, double viscosity) {
-  const double a2 = radius * radius, variance = 2 * xi * xi;  // of exp(-k^2/(4 xi^2))
-  const std::array factors{1.0, 1.0, -a2 / 15};               // of k^l
-  Eigen::Matrix3d integrals;
-  for (int l = 0; l <= max_moment_order; ++l) {
-    for (int m = 0; m <= max_moment_order; ++m) {
-      // Integrals of k^(l + m + 2 n) exp(-k^2/(4 xi^2)), n = 0, 1, 2; moments of odd sums l + m do not
-      // couple.
-      std::array<double, 3> even{std::sqrt(std::numbers::pi) * xi};
-      for (int k = 1; k < l + m; k += 2) even[0] *= k * variance;
-      even[1] = (l + m + 1) * variance * even[0];
-      even[2] = (l + m + 3) * variance * even[1];
-      const double sizes = (size_factors[l] + size_factors[m]) * a2, width = 1 / (4 * xi * xi);
-      integrals(l, m) =
-          factors[l] * factors[m] * (even[0] + (width - sizes) * even[1] - sizes * width * even[2]);
-    }
-  }
+Eigen::MatrixXd far_moment_self_mobility(const std::array<double, 4>& far_integrals, int order, double radius,
+                                         double viscosity) {
+  const double a2 = radius * radius;
+  const std::array factors{1.0, 1.0, -a2 / 15};  // of k^l
+  Eigen::Matrix3d integrals = Eigen::Matrix3d::Zero();
+  for (int l = 0; l <= max_moment_order; ++l)
+    for (int m = l % 2; m <= max_moment_order; m += 2)  // moments of odd sums l + m do not couple
+      integrals(l, m) = factors[l] * factors[m] *
+                        (far_integrals[(l + m) / 2] -
+                         (size_factors[l] + size_factors[m]) * a2 * far_integrals[(l + m) / 2 + 1]);
   return self_mobility_of(integrals, order, viscosity);
 }
 

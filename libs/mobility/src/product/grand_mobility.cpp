@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "beadswim/mobility/ewald_split.hpp"
+#include "ewald_split.hpp"
 
 namespace beadswim {
 namespace {
@@ -94,12 +94,15 @@ GrandMobility::SelfMobility GrandMobility::self_mobility_of(std::size_t sphere,
   SelfMobility self{.beside_mesh = whole, .inverse = whole.inverse().bottomRightCorner(higher, higher)};
   if (!plan) return self;
   const double radius = spheres_.radii[sphere];
+  const EwaldSplit split(plan->cutoff, plan->shape);
   if (order() == 0)
-    self.beside_mesh.diagonal().array() -= far_self_mobility(
-        plan->xi, {.squares = 2 * radius * radius, .product = plan->is_positive ? std::pow(radius, 4) : 0},
-        spheres_.viscosity);
+    self.beside_mesh.diagonal().array() -=
+        far_tensor(split, 0, spheres_.viscosity)
+            .sphere_tensor(
+                {.squares = 2 * radius * radius, .product = plan->is_positive ? std::pow(radius, 4) : 0})
+            .isotropic;
   else
-    self.beside_mesh -= far_moment_self_mobility(plan->xi, order(), radius, spheres_.viscosity);
+    self.beside_mesh -= far_moment_self_mobility(split.far_integrals(), order(), radius, spheres_.viscosity);
   return self;
 }
 

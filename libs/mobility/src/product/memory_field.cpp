@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/mobility/ewald_plan.hpp"
+
 namespace beadswim {
 
 StepFactors step_factors(double z) {
@@ -40,7 +42,21 @@ std::vector<double> squares_of_classes(std::vector<double> squares) {
   return nodes;
 }
 
+/// Returns the numbers of points of the mesh on which the Reynolds stress is evaluated.
+std::array<int, 3> stress_points(const FluidMemory& fluid, const ImagedSpheres& spheres) {
+  std::array<int, 3> points;
+  for (int a = 0; a < 3; ++a) points[a] = next_fft_size(spheres.lengths[a] / fluid.spacing);
+  return points;
+}
+
 }  // namespace
+
+double memory_cutoff(const FluidMemory& fluid, const Vec3& lengths) {
+  double cutoff = INFINITY;
+  for (const double length : lengths)
+    cutoff = std::min(cutoff, 2 * std::numbers::pi / length * (next_fft_size(length / fluid.spacing) / 3.0));
+  return cutoff * (1 - 1e-12);
+}
 
 void MemoryField::set_classes(const ImagedSpheres& spheres) {
   std::vector<double> squared_radii;
@@ -60,16 +76,18 @@ void MemoryField::set_classes(const ImagedSpheres& spheres) {
 }
 
 MemoryField::MemoryField(const FluidMemory& fluid, const ImagedSpheres& spheres,
-                         const std::array<int, 3>& points, const std::array<double, 3>& exponent,
+                         const std::array<int, 3>& points,
+                         const std::array<std::vector<double>, 3>& inverse_windows,
                          const MeshTransform& transform)
-    : fluid_(fluid), transform_(transform), scale_(1 / (double(points[0]) * points[1] * points[2])) {
+    : fluid_(fluid),
+      transform_(transform),
+      stress_transform_(stress_points(fluid, spheres), stress_points(fluid, spheres),
+                        transform.communicator(), &transform),
+      scale_(1 / (double(points[0]) * points[1] * points[2])),
+      cutoff_(memory_cutoff(fluid, spheres.lengths)) {
   set_classes(spheres);
   Vec3 wave;
-  cutoff_ = INFINITY;
-  for (int a = 0; a < 3; ++a) {
-    wave[a] = 2 * std::numbers::pi / spheres.lengths[a];
-    cutoff_ = std::min(cutoff_, wave[a] * (points[a] / 3.0) * (1 - 1e-12));
-  }
+  for (int a = 0; a < 3; ++a) wave[a] = 2 * std::numbers::pi / spheres.lengths[a];
   const double diffusion = spheres.viscosity / fluid.density * fluid.step;  // nu h
   transform.for_each_wave([&](std::ptrdiff_t place, int i, int j, int l) {
     const Vec3 k(i * wave[0], j * wave[1], l * wave[2]);
@@ -79,10 +97,10 @@ MemoryField::MemoryField(const FluidMemory& fluid, const ImagedSpheres& spheres,
     for (const SourceClass& each : classes_)
       form_factors_.push_back(form_factor(each.degree, std::sqrt(k2) * each.radius));
     const StepFactors step = step_factors(diffusion * k2);
-    double squares = 0;
-    for (int a = 0; a < 3; ++a) squares += exponent[a] * k[a] * k[a];
-    const double window = std::exp(squares);
+    const double window =
+        inverse_windows[0][std::abs(i)] * inverse_windows[1][std::abs(j)] * inverse_windows[2][l];
     modes_.push_back({.place = place,
+                      .on_stress_mesh = stress_transform_.place(i, j, l),
                       .k = k,
                       .window = window,
                       .unit = scale_ * window / (spheres.viscosity * k2),
@@ -150,33 +168,35 @@ void MemoryField::set_remainder(std::array<FftwArray, 3>& values) const {
 
 void MemoryField::add_reynolds_stress() {
   for (FftwArray& component : velocity_and_curl_) {
-    if (!component) component = transform_.array();
-    std::fill_n(component.get(), transform_.reals(), 0.0);
+    if (!component) component = stress_transform_.array();
+    std::fill_n(component.get(), stress_transform_.reals(), 0.0);
   }
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Vec3& k = modes_[m].k;
     const Velocity& flow = flow_[m];
     for (int c = 0; c < 3; ++c) {
       const int d = (c + 1) % 3, e = (c + 2) % 3;
-      as_complex(velocity_and_curl_[c])[modes_[m].place] = flow[c];
-      as_complex(velocity_and_curl_[3 + c])[modes_[m].place] =
+      as_complex(velocity_and_curl_[c])[modes_[m].on_stress_mesh] = flow[c];
+      as_complex(velocity_and_curl_[3 + c])[modes_[m].on_stress_mesh] =
           Complex(0, 1) * (k[d] * flow[e] - k[e] * flow[d]);
     }
   }
   if (has_mean_)
     for (int c = 0; c < 3; ++c) as_complex(velocity_and_curl_[c])[0] = mean_flow_[c];
-  for (const FftwArray& component : velocity_and_curl_) transform_.backward(component);
-  for (std::ptrdiff_t p = 0; p < transform_.reals(); ++p) {
+  for (const FftwArray& component : velocity_and_curl_) stress_transform_.backward(component);
+  for (std::ptrdiff_t p = 0; p < stress_transform_.reals(); ++p) {
     const Vec3 u(velocity_and_curl_[0][p], velocity_and_curl_[1][p], velocity_and_curl_[2][p]),
         curl(velocity_and_curl_[3][p], velocity_and_curl_[4][p], velocity_and_curl_[5][p]);
     const Vec3 force = -fluid_.density * curl.cross(u);
     for (int c = 0; c < 3; ++c) velocity_and_curl_[c][p] = force[c];
   }
-  for (int c = 0; c < 3; ++c) transform_.forward(velocity_and_curl_[c]);
+  for (int c = 0; c < 3; ++c) stress_transform_.forward(velocity_and_curl_[c]);
+  const auto& points = stress_transform_.points();
+  const double scale = 1 / (double(points[0]) * points[1] * points[2]);
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Mode& mode = modes_[m];
     Velocity stress;
-    for (int c = 0; c < 3; ++c) stress[c] = scale_ * as_complex(velocity_and_curl_[c])[mode.place];
+    for (int c = 0; c < 3; ++c) stress[c] = scale * as_complex(velocity_and_curl_[c])[mode.on_stress_mesh];
     stress = transverse(mode.k, stress);
     remaining_flow_[m] +=
         fluid_.step / fluid_.density * (mode.delay * stress + mode.ramp * (stress - previous_stress_[m]));

@@ -18,7 +18,8 @@ struct SourceClass {
 };
 
 /// Memory of the fluid in a periodic box (fluid_memory.hpp): its Fourier modes up to a cutoff wavenumber, on
-/// the mesh of the forces. Each rank has the modes of its part of the Fourier transform.
+/// the mesh of the forces. The Reynolds stress needs a finer mesh. Each rank has the modes of its part of the
+/// Fourier transform.
 ///
 /// The sources of each class are a field on the mesh. If the spheres have up to four radii, these are the
 /// radii of the classes. The sources of more radii are divided among four radii by interpolation in the
@@ -27,10 +28,11 @@ class MemoryField {
  public:
   using Values = std::span<const std::array<FftwArray, 3>>;  ///< Fourier transforms of all classes
 
-  /// `points`: numbers of mesh points along the axes. `exponent`: the Fourier transform of a window is
-  /// exp(-sum exponent_a k_a^2). `transform` must live as long as the object.
+  /// `points`: numbers of mesh points along the axes. inverse_windows: 1 over the Fourier transform
+  /// of the windows along each axis, by the magnitude of the index. `transform` must live as long as the
+  /// object.
   MemoryField(const FluidMemory& fluid, const ImagedSpheres& spheres, const std::array<int, 3>& points,
-              const std::array<double, 3>& exponent, const MeshTransform& transform);
+              const std::array<std::vector<double>, 3>& inverse_windows, const MeshTransform& transform);
 
   const std::vector<SourceClass>& classes() const { return classes_; }
   /// Returns the share of a class in the source of a sphere of this degree. The shares of all classes of a
@@ -40,8 +42,7 @@ class MemoryField {
     return shares_[sphere * radii_ + of_class % radii_];
   }
 
-  /// Returns the cutoff: two thirds of the largest wavenumber of the mesh, so that products of two fields
-  /// have no aliases below it.
+  /// Returns the largest wavenumber of the modes (memory_cutoff()).
   double cutoff() const { return cutoff_; }
 
   /// Reads the forces from the mesh, before a product replaces them by their flow.
@@ -65,7 +66,7 @@ class MemoryField {
  private:
   using Velocity = Eigen::Vector3cd;
   struct Mode {
-    std::ptrdiff_t place;  ///< index in the array of the Fourier transform
+    std::ptrdiff_t place, on_stress_mesh;  ///< indices in the arrays of the Fourier transforms
     Vec3 k;                ///< wavevector [1/length]
     double window;         ///< inverse of the Fourier transform of a window
     double unit;           ///< steady flow per force on the mesh
@@ -77,6 +78,7 @@ class MemoryField {
 
   FluidMemory fluid_;
   const MeshTransform& transform_;
+  MeshTransform stress_transform_;    ///< of the mesh on which the Reynolds stress is evaluated
   double scale_;                      ///< 1/number of mesh points
   std::size_t radii_ = 0;             ///< number of radii of classes
   std::vector<SourceClass> classes_;  ///< for each degree, all radii

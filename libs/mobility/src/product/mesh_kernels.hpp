@@ -6,11 +6,12 @@
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 
-/// `quads`: vectors in a row of a padded window.
-template <int quads, int order>
+/// `size`: points in a row of a padded window.
+template <int size, int order>
 void spread_of(const WindowMesh& mesh, const WindowBeads& beads, const double* sources, double* const* onto) {
   constexpr int count = derivative_count(order);
-  Window<order> w;
+  constexpr int quads = size / quad;
+  Window<size, order> w;
   for (long b = 0; b < beads.count; ++b) {
     w.set_position(mesh, beads.positions + 3 * b);
     const bool wraps = w.wraps(mesh);
@@ -34,7 +35,7 @@ void spread_of(const WindowMesh& mesh, const WindowBeads& beads, const double* s
           };
           double* const row = onto[c] + w.row(mesh, p, q);
           if (wraps) {
-            double at_columns[quad * quads];
+            double at_columns[size];
             for (int g = 0; g < quads; ++g) store_as(at_columns + quad * g, values(g));
 #pragma GCC unroll 1
             for (int s = 0; s < mesh.window; ++s) row[w.columns[s]] += at_columns[s];
@@ -49,13 +50,14 @@ void spread_of(const WindowMesh& mesh, const WindowBeads& beads, const double* s
   }
 }
 
-template <int quads, int order>
+template <int size, int order>
 void gather_of(const WindowMesh& mesh, const WindowBeads& beads, int components, const double* const* from,
                double* flows) {
   constexpr int count = derivative_count(order), pairs = (order + 1) * (order + 2) / 2;
   const auto across = [](int i, int j) { return i * (2 * order + 3 - i) / 2 + j; };
-  Window<order> w;
-  double at_columns[quad * quads]{};  // values of a row that wraps
+  constexpr int quads = size / quad;
+  Window<size, order> w;
+  double at_columns[size]{};  // values of a row that wraps
   for (long b = 0; b < beads.count; ++b) {
     w.set_position(mesh, beads.positions + 3 * b);
     const bool wraps = w.wraps(mesh);
@@ -86,16 +88,15 @@ void gather_of(const WindowMesh& mesh, const WindowBeads& beads, int components,
           }
         }
       }
-      double along[pairs][quad * quads];
-      for (int k = 0; k < pairs; ++k)
-        for (int g = 0; g < quads; ++g) store_as(along[k] + quad * g, sums[k][g]);
       // The window depends on mesh point minus bead position: odd derivatives by the bead position have the
       // opposite sign.
       double* const flow = flows + (components * b + c) * count;
       for (int d = 0; d < count; ++d) {
         const auto& [i, j, k] = derivative_table.degree[d];
-        double sum = 0;
-        for (int s = 0; s < mesh.window; ++s) sum += along[across(i, j)][s] * w.weight[k][2][s];
+        Quad along{};
+        for (int g = 0; g < quads; ++g)
+          along += sums[across(i, j)][g] * load_as<Quad>(w.weight[k][2] + quad * g);
+        const double sum = (along[0] + along[1]) + (along[2] + along[3]);
         flow[d] += derivative_table.order[d] % 2 == 0 ? sum : -sum;
       }
     }
@@ -104,29 +105,31 @@ void gather_of(const WindowMesh& mesh, const WindowBeads& beads, int components,
 
 using Spread = void (*)(const WindowMesh&, const WindowBeads&, const double*, double* const*);
 template <int order>
-constexpr Spread spreads[]{spread_of<2, order>, spread_of<3, order>, spread_of<4, order>,
-                           spread_of<5, order>, spread_of<6, order>, spread_of<7, order>};
+constexpr Spread spreads[]{spread_of<4, order>, spread_of<8, order>, spread_of<12, order>,
+                           spread_of<16, order>, spread_of<20, order>};
 using Gather = void (*)(const WindowMesh&, const WindowBeads&, int, const double* const*, double*);
 template <int order>
-constexpr Gather gathers[]{gather_of<2, order>, gather_of<3, order>, gather_of<4, order>,
-                           gather_of<5, order>, gather_of<6, order>, gather_of<7, order>};
+constexpr Gather gathers[]{gather_of<4, order>, gather_of<8, order>, gather_of<12, order>,
+                           gather_of<16, order>, gather_of<20, order>};
 
 void spread(int order, const WindowMesh& mesh, const WindowBeads& beads, const double* sources,
             double* const* onto) {
   constexpr const Spread* by_order[]{spreads<0>, spreads<1>, spreads<2>};
-  by_order[order][padded(mesh.window) / quad - 2](mesh, beads, sources, onto);
+  by_order[order][(mesh.window - 1) / 4](mesh, beads, sources, onto);
 }
 
 void gather(int order, const WindowMesh& mesh, const WindowBeads& beads, int components,
             const double* const* from, double* flows) {
   constexpr const Gather* by_order[]{gathers<0>, gathers<1>, gathers<2>, gathers<3>, gathers<4>};
-  by_order[order][padded(mesh.window) / quad - 2](mesh, beads, components, from, flows);
+  by_order[order][(mesh.window - 1) / 4](mesh, beads, components, from, flows);
 }
 
 void multiply_waves(const WaveRow& row, int fields, const FieldFactors* factors, double* const* values) {
   constexpr int chunk = 64;
-  double k2[chunk], inverse[chunk], F[3][chunk], D[3][chunk];
-  const double kx = row.kx, ky = row.ky, width = 1 / (4 * row.xi * row.xi);
+  double k2[chunk], inverse[chunk], share[chunk], inverse_share[chunk], F[3][chunk], D[3][chunk];
+  const double kx = row.kx, ky = row.ky;
+  // Far beyond k = shape/cutoff, s is negligible, and the sum of its terms would lose digits.
+  const double lowest = -0.2 * row.square;
   for (long begin = 0; begin < row.count; begin += chunk) {
     const int n = row.count - begin < chunk ? static_cast<int>(row.count - begin) : chunk;
     const double* const kz = row.kz + begin;
@@ -134,6 +137,12 @@ void multiply_waves(const WaveRow& row, int fields, const FieldFactors* factors,
       k2[t] = kx * kx + ky * ky + kz[t] * kz[t];
       inverse[t] = k2[t] > 0 ? 1 / k2[t] : 0;
     }
+    for (int t = 0; t < n; ++t) share[t] = row.far_terms[row.terms - 1];
+    for (int p = row.terms - 2; p >= 0; --p)
+      for (int t = 0; t < n; ++t)
+        share[t] = share[t] * (row.square - row.cutoff_square * k2[t]) + row.far_terms[p];
+    for (int t = 0; t < n; ++t)
+      inverse_share[t] = row.square - row.cutoff_square * k2[t] > lowest ? share[t] * inverse[t] : 0;
     for (int c = 0; c < 3; ++c) {
       for (int t = 0; t < n; ++t) F[c][t] = D[c][t] = 0;
       for (int f = 0; f < fields; ++f) {
@@ -149,7 +158,7 @@ void multiply_waves(const WaveRow& row, int fields, const FieldFactors* factors,
       const double f = (kx * F[0][t] + ky * F[1][t] + kz[t] * F[2][t]) * inverse[t],
                    d = (kx * D[0][t] + ky * D[1][t] + kz[t] * D[2][t]) * inverse[t];
       const double k[3]{kx, ky, kz[t]};
-      const double K = row.scale * row.decay[begin + t] * (1 + k2[t] * width) * inverse[t];
+      const double K = row.scale * row.window[begin + t] * inverse_share[t];
       for (int c = 0; c < 3; ++c) {
         const double size = K * k2[t] / 6;
         F[c][t] -= f * k[c];
@@ -164,6 +173,34 @@ void multiply_waves(const WaveRow& row, int fields, const FieldFactors* factors,
         for (int t = 0; t < n; ++t) flow[t] = p * D[c][t] - q * F[c][t];
       }
     }
+  }
+}
+
+void multiply_tensors(long waves, int fields, const double* const* kernel, double* const* values) {
+  constexpr int chunk = 256, row[3][3]{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+  double twice[chunk], results[6][chunk];
+  for (long begin = 0; begin < waves; begin += chunk / 2) {
+    const int n = waves - begin < chunk / 2 ? static_cast<int>(waves - begin) : chunk / 2;
+    const auto add = [&](int tensor, int from, double* sum, int c) __attribute__((always_inline)) {
+      for (int e = 0; e < 3; ++e) {
+        const double *const element = kernel[6 * tensor + row[c][e]] + begin, *const source =
+                                                                                  values[3 * from + e] +
+                                                                                  2 * begin;
+        for (int t = 0; t < n; ++t) twice[2 * t] = twice[2 * t + 1] = element[t];
+        for (int t = 0; t < 2 * n; ++t) sum[t] += twice[t] * source[t];
+      }
+    };
+    for (int k = 0; k < 3 * fields; ++k)
+      for (int t = 0; t < 2 * n; ++t) results[k][t] = 0;
+    for (int c = 0; c < 3; ++c) {
+      add(0, 0, results[c], c);
+      if (fields == 2) {
+        add(1, 1, results[c], c);
+        add(1, 0, results[3 + c], c);
+      }
+    }
+    for (int k = 0; k < 3 * fields; ++k)
+      for (int t = 0; t < 2 * n; ++t) values[k][2 * begin + t] = results[k][t];
   }
 }
 

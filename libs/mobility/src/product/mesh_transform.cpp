@@ -30,12 +30,29 @@ std::vector<MeshTransform::Planes> MeshTransform::parts(int planes) const {
   return parts;
 }
 
-MeshTransform::MeshTransform(const std::array<int, 3>& points, const Communicator& communicator)
+/// Returns the parts of the planes perpendicular to the second axis of a mesh of `planes` planes that contain
+/// the wavevectors of this mesh.
+std::vector<MeshTransform::Planes> MeshTransform::parts_on(int planes) const {
+  const auto same_wave = [&](int index) {  // of the first wavevector at or beyond this one
+    return 2 * index <= points_[1] ? std::min(index, (planes + 1) / 2)
+                                   : std::max(index + planes - points_[1], (planes + 1) / 2);
+  };
+  std::vector<Planes> parts;
+  for (const Planes& part : wave_planes_) {
+    const int first = same_wave(part.first);
+    parts.push_back({first, same_wave(part.first + part.count) - first});
+  }
+  return parts;
+}
+
+MeshTransform::MeshTransform(const std::array<int, 3>& points, const std::array<int, 3>& used,
+                             const Communicator& communicator, const MeshTransform* like)
     : points_(points),
+      used_(used),
       communicator_(communicator),
       rank_(communicator.rank()),
-      planes_(parts(points[0])),
-      wave_planes_(parts(points[1])),
+      planes_(parts(used[0])),
+      wave_planes_(like ? like->parts_on(points[1]) : parts(points[1])),
       row_(points[2] / 2 + 1),
       max_rows_(std::max(std::ptrdiff_t{planes()} * points[1],
                          std::ptrdiff_t{wave_planes_[rank_].count} * points[0])) {
@@ -50,9 +67,9 @@ MeshTransform::MeshTransform(const std::array<int, 3>& points, const Communicato
   auto* const a = fftw(as_complex(scratch_[0]));
   auto* const b = fftw(as_complex(scratch_[1]));
   forward_.along_z.reset(
-      fftw_plan_many_dft_r2c(1, &nz, ny, reals, nullptr, 1, 2 * row, b, nullptr, 1, row, flags));
+      fftw_plan_many_dft_r2c(1, &nz, used[1], reals, nullptr, 1, 2 * row, b, nullptr, 1, row, flags));
   backward_.along_z.reset(
-      fftw_plan_many_dft_c2r(1, &nz, ny, b, nullptr, 1, row, reals, nullptr, 1, 2 * row, flags));
+      fftw_plan_many_dft_c2r(1, &nz, used[1], b, nullptr, 1, row, reals, nullptr, 1, 2 * row, flags));
   forward_.along_y.reset(
       fftw_plan_many_dft(1, &ny, row, b, nullptr, row, 1, a, nullptr, row, 1, FFTW_FORWARD, flags));
   backward_.along_y.reset(
@@ -104,6 +121,7 @@ void MeshTransform::forward(const FftwArray& a) const {
   const std::ptrdiff_t plane_size = points_[1] * row_;
   for (int i = 0; i < planes(); ++i) {
     Complex* const own = as_complex(a) + i * plane_size;
+    std::fill(as_complex(scratch_[1]) + used_[1] * row_, as_complex(scratch_[1]) + plane_size, 0);
     fftw_execute_dft_r2c(forward_.along_z.get(), reinterpret_cast<double*>(own),
                          fftw(as_complex(scratch_[1])));
     fftw_execute_dft(forward_.along_y.get(), fftw(as_complex(scratch_[1])), fftw(own));
@@ -114,11 +132,11 @@ void MeshTransform::forward(const FftwArray& a) const {
     });
     exchange(exchanged_, planes_, a, wave_planes_);
   }
-  transform_along_x(forward_.along_x, a);
+  transform_along_x(forward_.along_x, a, used_[0], points_[0]);
 }
 
 void MeshTransform::backward(const FftwArray& a) const {
-  transform_along_x(backward_.along_x, a);
+  transform_along_x(backward_.along_x, a, points_[0], used_[0]);
   if (exchanged_) {
     exchange(a, wave_planes_, exchanged_, planes_);
     for_each_piece([&](std::ptrdiff_t in_array, std::ptrdiff_t in_messages, std::ptrdiff_t count) {
@@ -136,15 +154,16 @@ void MeshTransform::backward(const FftwArray& a) const {
 }
 
 /// Transforms along the first axis, one plane of wavevectors after the other.
-void MeshTransform::transform_along_x(const FftwPlan& lines, const FftwArray& a) const {
+/// `read` and `written`: number of planes along this axis; beyond those read, the values are 0.
+void MeshTransform::transform_along_x(const FftwPlan& lines, const FftwArray& a, int read,
+                                      int written) const {
   const std::ptrdiff_t stride = wave_planes_[rank_].count * row_;
   for (int j = 0; j < wave_planes_[rank_].count; ++j) {
     Complex* const own = as_complex(a) + j * row_;
-    for (int i = 0; i < points_[0]; ++i)
-      std::copy_n(own + i * stride, row_, as_complex(scratch_[0]) + i * row_);
+    for (int i = 0; i < read; ++i) std::copy_n(own + i * stride, row_, as_complex(scratch_[0]) + i * row_);
+    std::fill(as_complex(scratch_[0]) + read * row_, as_complex(scratch_[0]) + points_[0] * row_, 0);
     fftw_execute(lines.get());
-    for (int i = 0; i < points_[0]; ++i)
-      std::copy_n(as_complex(scratch_[1]) + i * row_, row_, own + i * stride);
+    for (int i = 0; i < written; ++i) std::copy_n(as_complex(scratch_[1]) + i * row_, row_, own + i * stride);
   }
 }
 

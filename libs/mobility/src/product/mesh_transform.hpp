@@ -31,10 +31,16 @@ inline Complex* as_complex(const FftwArray& array) {
 /// FFTW transforms lines of points, those of one plane after those of another, so that a plane stays in the
 /// caches. Between the second and the first axis, the ranks exchange the lines of their planes once. FFTW's
 /// own transforms of whole meshes take 1.5 times as long, with the algorithm that it selects without timing.
+///
+/// In open space the values are needed, and are not 0, only at the first points along the axes. Lines of
+/// other points are not transformed, and planes beyond these points are not stored.
 class MeshTransform {
  public:
-  /// `communicator` must live as long as the object.
-  MeshTransform(const std::array<int, 3>& points, const Communicator& communicator);
+  /// `used`: number of the points along each axis at which values are needed. `like`: another mesh of the
+  /// same box; each rank owns the same wavevectors of both, as far as both have them. `communicator` must
+  /// live as long as the object.
+  MeshTransform(const std::array<int, 3>& points, const std::array<int, 3>& used,
+                const Communicator& communicator, const MeshTransform* like = nullptr);
 
   FftwArray array() const;
   /// Returns the number of real numbers in an array.
@@ -44,10 +50,17 @@ class MeshTransform {
   /// Collective. The result is not divided by the number of points.
   void backward(const FftwArray& a) const;
 
+  const Communicator& communicator() const { return communicator_; }
+  const std::array<int, 3>& points() const { return points_; }
+  const std::array<int, 3>& used() const { return used_; }
   int planes() const { return planes_[rank_].count; }
   int first_plane() const { return planes_[rank_].first; }
   std::ptrdiff_t wave_count() const { return std::ptrdiff_t{wave_planes_[rank_].count} * points_[0] * row_; }
 
+  /// Returns the index in the array of a wavevector of this rank, from its components.
+  std::ptrdiff_t place(int i, int j, int k) const {
+    return place_of(i < 0 ? i + points_[0] : i, (j < 0 ? j + points_[1] : j) - wave_planes_[rank_].first) + k;
+  }
   /// Calls visit(place, i, j, k) for each wavevector of this rank. `place` is the index of the wavevector in
   /// the array. i, j and k are the components along x, y and z in units of 2 pi/edge of the mesh; they have a
   /// sign. The order of the wavevectors of all ranks together is the same on any number of ranks.
@@ -79,13 +92,14 @@ class MeshTransform {
     return (std::ptrdiff_t{i} * wave_planes_[rank_].count + j) * row_;
   }
   std::vector<Planes> parts(int planes) const;
+  std::vector<Planes> parts_on(int planes) const;
   template <class Copy>
   void for_each_piece(const Copy& copy) const;
   void exchange(const FftwArray& from, const std::vector<Planes>& before, const FftwArray& to,
                 const std::vector<Planes>& after) const;
-  void transform_along_x(const FftwPlan& lines, const FftwArray& a) const;
+  void transform_along_x(const FftwPlan& lines, const FftwArray& a, int read, int written) const;
 
-  std::array<int, 3> points_;
+  std::array<int, 3> points_, used_;
   const Communicator& communicator_;
   int rank_;
   std::vector<Planes> planes_;        ///< of the mesh, by rank

@@ -69,7 +69,7 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
       .largest_radius = *std::ranges::max_element(scene.radii),
       .moment_order = highest_moment(scene),
       .tolerance = scene.tolerance};
-  if (scene.memory) ewald.max_spacing = scene.memory->spacing;
+  if (scene.memory) ewald.memory_cutoff = memory_cutoff(*scene.memory, ewald.lengths);
   if (scene.domain.box) return ewald;
   const Eigen::AlignedBox3d bounds = bounding_box(positions);
   for (int a = 0; a < 3; ++a) ewald.lengths[a] = bounds.sizes()[a] + 2 * ewald.largest_radius;
@@ -127,7 +127,7 @@ std::vector<int> spheres_around(const MobilityScene& scene, std::span<const Vec3
 std::optional<EwaldPlan> root_plan(const MobilityScene& scene, std::span<const Vec3> positions,
                                    const Communicator& communicator) {
   const std::optional<EwaldPlan> plan = plan_for(scene, positions, communicator, true);
-  return plan && plan->xi > 0 ? plan : std::nullopt;
+  return plan && plan->cutoff > 0 ? plan : std::nullopt;
 }
 
 /// The velocities v of free spheres follow from the forces F on them. The higher moments H of the force on

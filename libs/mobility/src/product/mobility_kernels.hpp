@@ -3,17 +3,18 @@
 #include <cstdint>
 
 #include "beadswim/core/kernel.hpp"
+#include "split_polynomials.hpp"
 #include "wall_reflection.hpp"
 
 // Kernels of a mobility product: sums over pairs of spheres, the exchange between beads and a mesh by
-// Gaussian windows, and the flow of Fourier modes of forces. mobility_kernels.cpp is compiled once per
+// windows, and the flow of Fourier modes of forces. mobility_kernels.cpp is compiled once per
 // instruction set; best_kernels() selects one at run time. Arguments are plain arrays, with three components
 // per vector unless stated otherwise. Sources and flows: force_moments.hpp.
 
 namespace beadswim {
 
 /// Highest n of ((1/r) d/dr)^n for a pair of spheres, and for a sphere and the mirror point of another one.
-constexpr int highest_of_pairs = 6, highest_of_mirrors = 8;
+constexpr int highest_of_pairs = 6, highest_of_mirrors = SplitPolynomials::highest;
 /// Returns the highest n that the flow of sources of this order at their receivers needs.
 constexpr int highest_radial(int order, Receivers receivers) {
   return receivers == Receivers::points ? order + 3 : 2 * order + 4;
@@ -25,20 +26,15 @@ constexpr int max_elements = 3 * derivative_count(2);
 struct SortedSpheres {
   const double *x, *y, *z;
   const unsigned char* is_receiver;  ///< 1 if the velocity of the sphere is required
+  const double* squares;             ///< a^2 of the radii [length^2]
   double lengths[3];                 ///< edges of the periodic box; 0 in open space [length]
 };
 
-/// Batch of pairs of spheres: pairs of one sphere ("the one sphere") with other spheres.
-struct PairBatch {
+/// Spheres near one sphere: indices in SortedSpheres.
+struct NearSpheres {
   static constexpr int capacity = 512;
-  int count = 0;
-  int other[capacity];  ///< indices in SortedSpheres
-  /// d: position of the one sphere minus positions of the other spheres [length]. r2: squared lengths of d.
-  double d[3][capacity], r2[capacity];
-  double squares[capacity];      ///< a_i^2 + a_j^2 [length^2]; used only if radii differ
-  double products[capacity];     ///< a_i^2 a_j^2 [length^4]; used only with 6 functions
-  double force[3][capacity];     ///< forces on the other spheres [mass length/time^2]
-  double velocity[3][capacity];  ///< velocities of the other spheres due to the force on the one sphere
+  int count = 0, close_count = 0;
+  int others[capacity + 8], close[capacity + 8];  ///< farther away than a limit; the nearest
 };
 
 /// Table of a pair tensor (PairTensor) up to the cutoff: polynomials of degree 5 in r^2 for isotropic and
@@ -54,17 +50,16 @@ struct PairTable {
   const double* coefficients = nullptr;
 };
 
-/// A mesh and the Gaussian window of a bead, which is the set of mesh points that receive its Gaussian. A
-/// plane of the mesh is perpendicular to the first axis, a row in it is parallel to the third axis. Each rank
-/// owns consecutive planes. Mesh indices are periodic.
+/// A mesh and the window of a bead, which is the set of mesh points that receive its force. A plane of the
+/// mesh is perpendicular to the first axis, a row in it is parallel to the third axis. Each rank owns
+/// consecutive planes. Mesh indices are periodic.
 struct WindowMesh {
-  static constexpr int max_points = 28;
-  int window = 0;                   ///< mesh points per axis that receive the Gaussian, 6 to 26; even
+  int window = 0;                   ///< mesh points per axis that receive the force, up to 18
   int points[3]{}, row_length = 0;  ///< size of the mesh; length of a row in memory
   int first_plane = 0, planes = 0;  ///< planes that this rank owns
   double origin[3]{}, inverse_spacing[3]{}, inverse_points[3]{};
-  double decay[3]{}, height[3]{};    ///< Gaussian height exp(-decay d^2), d: distance [mesh spacing]
-  double decay_at[3][max_points]{};  ///< exp(-decay p^2), p = 0, 1, ...; 0 beyond the window
+  int degree = 0;                       ///< of the polynomials of the window
+  const double* polynomials = nullptr;  ///< WindowTable::polynomials()
 };
 
 /// Positions of `count` beads or points, three coordinates each [length].
@@ -76,7 +71,7 @@ struct WindowBeads {
 /// Up to 8 spheres, one in each lane, whose flow at a point or at another sphere is needed. The vector r is
 /// the position of the receiver minus the position of the sphere. Unused lanes have sources of zero.
 struct SourceLanes {
-  double r[3][lanes];
+  double r[3][lanes], distance[lanes];
   /// ((1/r) d/dr)^n of chi, of its Laplacian and of its second Laplacian, divided by 8 pi eta. chi[0] is not
   /// used.
   double chi[highest_of_mirrors + 1][lanes], laplacian[highest_of_mirrors + 1][lanes];
@@ -104,9 +99,12 @@ struct WaveRow {
   long count = 0;                 ///< real numbers, two per wavevector
   double kx = 0, ky = 0;          ///< [1/length]
   const double* kz = nullptr;     ///< of each number [1/length]
-  double xi = 0;                  ///< splitting parameter [1/length]
-  double scale = 0;               ///< mesh cell/box volume/viscosity, times the Gaussian along x and y
-  const double* decay = nullptr;  ///< Gaussian along z, of each number
+  double scale = 0;               ///< mesh cell/box volume/viscosity, over the squared windows along x and y
+  const double* window = nullptr;  ///< of each number: 1 over the squared transform of the window along z
+  /// The far part has the factor s, a polynomial of y = shape^2 - cutoff^2 k^2, and 0 below a limit of y.
+  const double* far_terms = nullptr;
+  int terms = 0;
+  double square = 0, cutoff_square = 0;  ///< shape^2, cutoff^2
 };
 
 /// Factors of a field of sources in the sums F and D (multiply_waves).
@@ -116,13 +114,18 @@ struct FieldFactors {
 };
 
 struct MobilityKernels {
-  /// Adds to the batch each sphere in [begin, end) that is nearer than `cutoff` to sphere `one`, unless
-  /// neither of the two spheres is a receiver. Returns the index at which to continue: `end`, or less if the
-  /// batch is full.
-  int (*find_near_spheres)(const SortedSpheres&, int one, int begin, int end, double cutoff, PairBatch&);
-  /// Sets the velocities of the other spheres of a batch that the force on the one sphere causes. Adds to
-  /// `velocity` the velocity of the one sphere that the forces on the other spheres cause.
-  void (*pair_velocities)(const PairTable&, const double* force, PairBatch&, double* velocity);
+  /// Adds to `near` each sphere in [begin, end) whose distance to sphere `one` is at most the cutoff, unless
+  /// neither of the two spheres is a receiver. Those at or below the squared distance `close` are added to
+  /// its closest ones. Returns the index at which to continue: `end`, or less if `near` is full.
+  int (*find_near_spheres)(const SortedSpheres&, int one, int begin, int end, double cutoff, double close,
+                           NearSpheres& near);
+  /// Adds the velocities of sphere `one` and of the other spheres `near` it, but not of its closest ones,
+  /// that their forces cause in both directions. force, velocity: an array of all spheres for each component.
+  void (*pair_velocities)(const PairTable&, const SortedSpheres&, int one, const NearSpheres& near,
+                          const double* const* force, double* const* velocity);
+  /// Sets the radial functions of all lanes to those of the near part of an Ewald sum. unit:
+  /// 1/(8 pi eta).
+  void (*near_radials)(const SplitPolynomials&, double unit, SourceLanes&);
   /// Evaluates the flows of all pairs in both directions, for moments up to `order`, 1 or 2. Sets `at_others`
   /// to the flow of the one sphere at the other spheres.
   void (*moment_pairs)(int order, const OneSphere&, const SourceLanes& others, double (*at_others)[lanes]);
@@ -143,12 +146,16 @@ struct MobilityKernels {
   /// per field.
   ///
   ///   F = sum p_f V_f,   D = sum q_f V_f              V_f: source of the field f, without its part along k
-  ///   V_f <- K [p_f (F - k^2/6 D) - q_f k^2/6 F]      K = scale decay (1 + k^2/(4 xi^2))/k^2, 0 for k = 0
+  ///   V_f <- K [p_f (F - k^2/6 D) - q_f k^2/6 F]      K = scale window s(k)/k^2, 0 for k = 0
   ///
-  /// K contains the far part of the Oseen tensor (ewald_split.hpp), without the part of its Gaussian that the
-  /// windows apply.
+  /// K contains the far part of the Oseen tensor (ewald_split.hpp), over the squared windows.
   // clang-format on
   void (*multiply_waves)(const WaveRow&, int fields, const FieldFactors* factors, double* const* values);
+
+  /// Replaces the Fourier modes of one or two fields F and D in open space by K F + L D and L F. `values`:
+  /// three components per field. `kernel`: elements xx, xy, xz, yy, yz, zz of K, and of L for two fields, one
+  /// number per wavevector.
+  void (*multiply_tensors)(long waves, int fields, const double* const* kernel, double* const* values);
 
   static const MobilityKernels baseline, x86_64_v3,
       x86_64_v4;  ///< of each instruction set (core/kernel.hpp)

@@ -8,6 +8,20 @@
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 
+void near_radials(const SplitPolynomials& split, double unit, SourceLanes& sources) {
+  constexpr int highest = highest_of_mirrors;
+#pragma GCC unroll 1
+  for (int lane = 0; lane < lanes; lane += part) {
+    Part chi[highest + 1], laplacian[highest + 1], bilaplacian[highest - 1];
+    near_functions(split, unit, load_as<Part>(sources.distance + lane), chi, laplacian, bilaplacian);
+    for (int n = 0; n <= highest; ++n) {
+      if (n > 0) store_as(sources.chi[n] + lane, chi[n]);
+      store_as(sources.laplacian[n] + lane, laplacian[n]);
+      if (n <= highest - 2) store_as(sources.bilaplacian[n] + lane, bilaplacian[n]);
+    }
+  }
+}
+
 template <int order>
 void moment_pairs_of(const OneSphere& one, const SourceLanes& pairs, double (*at_others)[lanes]) {
   constexpr int count = derivative_count(order), highest = 2 + 2 * order;

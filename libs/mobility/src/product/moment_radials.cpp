@@ -16,6 +16,17 @@ double unit(double viscosity) {
 
 }  // namespace
 
+MomentRadials MomentRadials::reversed() const {
+  MomentRadials f = *this;
+  const auto reverse = [](auto& values) {
+    for (double& value : values) value = -value;
+  };
+  reverse(f.chi);
+  reverse(f.laplacian);
+  reverse(f.bilaplacian);
+  return f;
+}
+
 MomentRadials open_radials(double r, double viscosity, int highest) {
   MomentRadials f{.highest = highest};
   double value = unit(viscosity) / r;  // ((1/r) d/dr)^n (1/r)
@@ -27,50 +38,21 @@ MomentRadials open_radials(double r, double viscosity, int highest) {
   return f;
 }
 
-MomentRadials near_radials(double xi, double r, double viscosity, int highest) {
-  MomentRadials f{.highest = highest};
-  const double x2 = xi * xi, r2 = r * r,
-               bell = unit(viscosity) / std::sqrt(std::numbers::pi) * std::exp(-x2 * r2);
-  double B = unit(viscosity) * std::erfc(xi * r) / r, power = 1, sign = 1;  // power: (2 xi^2)^n
-  for (int n = 0; n <= highest; ++n) {
-    if (n < highest) f.chi[n + 1] = sign * B;
-    f.laplacian[n] = sign * (2 * B - 2 * xi * power * bell);
-    if (n <= highest - 2) f.bilaplacian[n] = sign * power * x2 * xi * (20 - 8 * x2 * r2 + 8 * n) * bell;
-    power *= 2 * x2;
-    B = ((2 * n + 1) * B + power * bell / xi) / r2;
-    sign = -sign;
-  }
+MomentRadials near_radials(const EwaldSplit& split, double r, double viscosity) {
+  MomentRadials f{.highest = SplitPolynomials::highest};
+  near_functions(split.near, unit(viscosity), r, f.chi, f.laplacian, f.bilaplacian);
   return f;
 }
 
-namespace {
-
-/// Boys functions F_n at T >= 0, up to n = highest_of_pairs: a series for the last, then the recursion
-/// downwards.
-void boys_functions(double T, double (&F)[highest_of_pairs + 1]) {
-  const double bell = std::exp(-T);
-  double term = 1.0 / (2 * highest_of_pairs + 1), sum = 0;
-  for (int k = 0; term > 1e-17 * sum; ++k) {
-    sum += term;
-    term *= 2 * T / (2 * (highest_of_pairs + k) + 3);
-  }
-  F[highest_of_pairs] = bell * sum;
-  for (int n = highest_of_pairs - 1; n >= 0; --n) F[n] = (2 * T * F[n + 1] + bell) / (2 * n + 1);
-}
-
-}  // namespace
-
-MomentRadials minus_far_radials(double xi, double r, double viscosity) {
-  MomentRadials f;
-  const double x2 = xi * xi, r2 = r * r, scale = -unit(viscosity) * 2 * xi / std::sqrt(std::numbers::pi);
-  const double bell = std::exp(-x2 * r2);
-  double F[highest_of_pairs + 1], power = scale;  // -(-2 xi^2)^n 2 xi/sqrt(pi)
-  boys_functions(x2 * r2, F);
-  for (int n = 0; n <= highest_of_pairs; ++n) {
-    if (n < highest_of_pairs) f.chi[n + 1] = power * F[n];
-    f.laplacian[n] = power * (2 * F[n] + bell);
-    if (n <= highest_of_pairs - 2) f.bilaplacian[n] = -power * x2 / 2 * (20 - 8 * x2 * r2 + 8 * n) * bell;
-    power *= -2 * x2;
+MomentRadials far_radials(const EwaldSplit& split, double r, double viscosity, int highest) {
+  MomentRadials f{.highest = highest};
+  double scale = unit(viscosity);
+  for (int n = 0; n <= highest; ++n, scale = -scale) {
+    const double mean = split.mean(n, r);
+    if (n < highest) f.chi[n + 1] = scale * mean;
+    f.laplacian[n] = scale * (2 * mean + split.bell(n, r));
+    if (n <= highest - 2)
+      f.bilaplacian[n] = scale * (r * r * split.bell(n + 2, r) - (5 + 2 * n) * split.bell(n + 1, r));
   }
   return f;
 }
@@ -187,18 +169,22 @@ MomentRadials overlap_radials(int l, int m, double a, double b, double r, double
   return f;
 }
 
-void set_lane(SourceLanes& spheres, int lane, const Vec3& r, const MomentRadials& radials,
-              const std::array<double, 3>& sizes, std::span<const double> source) {
+void set_lane(SourceLanes& spheres, int lane, const Vec3& r, const std::array<double, 3>& sizes,
+              std::span<const double> source) {
   for (int a = 0; a < 3; ++a) {
     spheres.r[a][lane] = r[a];
     spheres.size[a][lane] = sizes[a];
   }
+  spheres.distance[lane] = r.norm();
+  for (std::size_t k = 0; k < source.size(); ++k) spheres.source[k][lane] = source[k];
+}
+
+void set_radials(SourceLanes& spheres, int lane, const MomentRadials& radials) {
   for (int n = 0; n <= radials.highest; ++n) {
     spheres.chi[n][lane] = radials.chi[n];
     spheres.laplacian[n][lane] = radials.laplacian[n];
     if (n <= radials.highest - 2) spheres.bilaplacian[n][lane] = radials.bilaplacian[n];
   }
-  for (std::size_t k = 0; k < source.size(); ++k) spheres.source[k][lane] = source[k];
 }
 
 void clear_lanes(SourceLanes& spheres, int used) {
@@ -206,6 +192,7 @@ void clear_lanes(SourceLanes& spheres, int used) {
     for (auto& row : rows) std::fill(row + used, row + lanes, row[0]);
   };
   copy_first(spheres.r);
+  std::fill(spheres.distance + used, spheres.distance + lanes, spheres.distance[0]);
   copy_first(spheres.chi);
   copy_first(spheres.laplacian);
   copy_first(spheres.bilaplacian);

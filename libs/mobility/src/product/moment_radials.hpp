@@ -4,18 +4,13 @@
 #include <span>
 
 #include "beadswim/core/vec3.hpp"
+#include "ewald_split.hpp"
 #include "mobility_kernels.hpp"
 
 // clang-format off
 // Radial functions of the flow of force moments (moment_flow.hpp): chi of the Oseen tensor, its Laplacian and its
 // second Laplacian, each with its derivatives by (1/r) d/dr. In open space chi = r. An Ewald sum splits chi = near + far
-// (ewald_split.hpp), with B_n = (-(1/r) d/dr)^n erfc(xi r)/r and G = exp(-xi^2 r^2):
-//
-//   near:   (1/r) chi' = B_0,   laplacian = 2 B_0 - 2 xi G/sqrt(pi),   bilaplacian = xi^3 (20 - 8 xi^2 r^2) G/sqrt(pi)
-//   B_n = [ (2 n - 1) B_(n-1) + (2 xi^2)^n G/(sqrt(pi) xi) ] / r^2
-//   far:    erf in place of erfc:   (-(1/r) d/dr)^n erf(xi r)/r = (2 xi^2)^n 2 xi/sqrt(pi) F_n(xi^2 r^2)
-//
-//   F_n  Boys function, integral of t^2n exp(-T t^2) over t from 0 to 1
+// (ewald_split.hpp).
 //
 // Spheres that overlap: with moments of the degrees l and m on the spheres, chi is replaced by X(r),
 //
@@ -34,21 +29,24 @@ struct MomentRadials {
   int highest = highest_of_pairs;
   double chi[highest_of_mirrors + 1]{}, laplacian[highest_of_mirrors + 1]{};
   double bilaplacian[highest_of_mirrors - 1]{};
+
+  MomentRadials reversed() const;  ///< all functions times -1
 };
 
 /// Radial functions at the distance r > 0 in open space [length]. viscosity: dynamic.
 MomentRadials open_radials(double r, double viscosity, int highest);
-/// Near part, and far part times -1, of an Ewald sum with the splitting parameter xi [1/length] at r > 0.
-MomentRadials near_radials(double xi, double r, double viscosity, int highest);
-MomentRadials minus_far_radials(double xi, double r, double viscosity);
+/// Near part of an Ewald sum at r > 0, and far part at r >= 0 up to the cutoff, up to `highest`.
+MomentRadials near_radials(const EwaldSplit& split, double r, double viscosity);
+MomentRadials far_radials(const EwaldSplit& split, double r, double viscosity, int highest);
 
 /// Radial functions of moments of the degrees l and m on two spheres of radii a and b that overlap at the
 /// distance r > 0; bilaplacian is not set.
 MomentRadials overlap_radials(int l, int m, double a, double b, double r, double viscosity);
 
-/// Sets a lane to a sphere: vector from the sphere to the receiver, radial functions, c_l a^2 and source.
-void set_lane(SourceLanes& spheres, int lane, const Vec3& r, const MomentRadials& radials,
-              const std::array<double, 3>& sizes, std::span<const double> source);
+/// Sets a lane to a sphere: vector from the sphere to the receiver, c_l a^2 and source.
+void set_lane(SourceLanes& spheres, int lane, const Vec3& r, const std::array<double, 3>& sizes,
+              std::span<const double> source);
+void set_radials(SourceLanes& spheres, int lane, const MomentRadials& radials);
 /// Sets the lanes from `used` on to copies of the first one without source.
 void clear_lanes(SourceLanes& spheres, int used);
 

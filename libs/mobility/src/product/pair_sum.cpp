@@ -2,23 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "moment_flow.hpp"
 #include "moment_radials.hpp"
 
 namespace beadswim {
 PairSum::PairSum(const ImagedSpheres& spheres, const std::optional<EwaldPlan>& plan, double min_distance)
-    : spheres_(spheres),
-      xi_(plan ? plan->xi : 0),
-      cutoff_(plan ? plan->cutoff : 0),
-      is_positive_(plan && plan->is_positive) {
+    : spheres_(spheres), is_positive_(plan && plan->is_positive) {
+  if (plan) split_.emplace(plan->cutoff, plan->shape);
   if (plan && spheres.order == 0) table_.emplace(spheres, *plan, min_distance);
 }
 
 void PairSum::set_positions(std::span<const Vec3> positions, std::size_t receivers) {
-  if (xi_ > 0) {
-    cells_.emplace(positions, cutoff_, spheres_.lengths);
+  if (split_) {
+    cells_.emplace(positions, split_->cutoff, spheres_.lengths, 1);
     order_ = cells_->order();
   } else {
     order_.resize(positions.size());
@@ -27,22 +27,27 @@ void PairSum::set_positions(std::span<const Vec3> positions, std::size_t receive
   for (auto& coordinate : coordinates_) coordinate.clear();
   is_receiver_.clear();
   radii_.clear();
+  squares_.clear();
   for (const int sphere : order_) {
     for (int a = 0; a < 3; ++a) coordinates_[a].push_back(positions[sphere][a]);
     is_receiver_.push_back(static_cast<std::size_t>(sphere) < receivers ? 1 : 0);
     radii_.push_back(spheres_.radii[sphere]);
+    squares_.push_back(radii_.back() * radii_.back());
   }
 }
 
 /// Sources and flows of all spheres, in the order of the sum, and the current pairs of one sphere.
 struct PairSum::Work {
   std::vector<double> sources, flows;
-  PairBatch batch;
+  /// Of the table: forces and velocities of all spheres, by component.
+  std::array<std::vector<double>, 3> forces, velocities;
+  NearSpheres near;
   SourceLanes pairs{};
   double at_others[max_elements][lanes];
   int count = 0;  ///< lanes in use
   int one = 0;    ///< the one sphere of the pairs
   std::array<int, lanes> other{};
+  std::array<bool, lanes> overlaps{};  ///< true if the two spheres of a lane overlap
 };
 
 void PairSum::add_flows(std::span<const double> sources, std::span<double> flows,
@@ -53,11 +58,17 @@ void PairSum::add_flows(std::span<const double> sources, std::span<double> flows
   work.flows.resize(sources.size(), 0.0);
   for (std::size_t s = 0; s < order_.size(); ++s)
     std::copy_n(&sources[n * order_[s]], n, &work.sources[n * s]);
+  for (int a = 0; a < 3 && table_; ++a) {
+    for (std::size_t s = 0; s < order_.size(); ++s) work.forces[a].push_back(work.sources[3 * s + a]);
+    work.velocities[a].assign(order_.size(), 0.0);
+  }
   cells_ ? add_near_pairs(work, communicator) : add_all_pairs(work, communicator);
   flush(work);
-  for (std::size_t s = 0; s < order_.size(); ++s)
-    if (is_receiver_[s] != 0)
-      for (std::size_t k = 0; k < n; ++k) flows[n * order_[s] + k] += work.flows[n * s + k];
+  for (std::size_t s = 0; s < order_.size(); ++s) {
+    if (is_receiver_[s] == 0) continue;
+    for (std::size_t k = 0; k < n; ++k)
+      flows[n * order_[s] + k] += work.flows[n * s + k] + (table_ ? work.velocities[k][s] : 0);
+  }
 }
 
 /// Adds this rank's share of all pairs.
@@ -71,57 +82,53 @@ void PairSum::add_all_pairs(Work& work, const Communicator& communicator) const 
   }
 }
 
-/// Adds this rank's share of the pairs within the cutoff of which at least one sphere is a receiver.
-void PairSum::add_near_pairs(Work& work, const Communicator& communicator) const {
+SortedSpheres PairSum::sorted_spheres() const {
   const auto& [x, y, z] = coordinates_;
   const Vec3& lengths = spheres_.lengths;
-  const SortedSpheres spheres{.x = x.data(),
-                              .y = y.data(),
-                              .z = z.data(),
-                              .is_receiver = is_receiver_.data(),
-                              .lengths = {lengths[0], lengths[1], lengths[2]}};
+  return {.x = x.data(),
+          .y = y.data(),
+          .z = z.data(),
+          .is_receiver = is_receiver_.data(),
+          .squares = squares_.data(),
+          .lengths = {lengths[0], lengths[1], lengths[2]}};
+}
+
+/// Adds this rank's share of the pairs within the cutoff of which at least one sphere is a receiver.
+void PairSum::add_near_pairs(Work& work, const Communicator& communicator) const {
+  const SortedSpheres spheres = sorted_spheres();
   const auto find_near_spheres = best_kernels<MobilityKernels>().find_near_spheres;
+  const double close = table_ ? table_->min_square() : INFINITY;
   const auto [first, last] = rank_share(std::ssize(order_), communicator.rank(), communicator.size());
   for (int one = static_cast<int>(first); one < last; ++one) {
     cells_->for_each_range_after(one, [&](int begin, int end) {
-      while ((begin = find_near_spheres(spheres, one, begin, end, cutoff_, work.batch)) < end)
-        add_batch(work, one);
+      while ((begin = find_near_spheres(spheres, one, begin, end, split_->cutoff, close, work.near)) < end)
+        add_near(work, spheres, one);
     });
-    add_batch(work, one);
+    add_near(work, spheres, one);
   }
 }
 
-/// Adds a batch of pairs of the sphere `one`: by the table, pairs that it lacks one by one.
-void PairSum::add_batch(Work& work, int one) const {
-  PairBatch& batch = work.batch;
-  int kept = 0;
-  for (int t = 0; t < batch.count; ++t) {
-    const int other = batch.other[t];
-    const Vec3 d(batch.d[0][t], batch.d[1][t], batch.d[2][t]);
-    if (!table_ || !table_->contains(batch.r2[t])) {
-      add_pair(work, one, other, d, table_ ? std::sqrt(batch.r2[t]) : d.norm());
-      continue;
-    }
-    batch.other[kept] = other;
-    batch.r2[kept] = batch.r2[t];
-    for (int a = 0; a < 3; ++a) {
-      batch.d[a][kept] = d[a];
-      batch.force[a][kept] = work.sources[3 * other + a];
-    }
-    if (!table_->has_one_radius()) {
-      const double own = radii_[one] * radii_[one], others = radii_[other] * radii_[other];
-      batch.squares[kept] = own + others;
-      batch.products[kept] = own * others;
-    }
-    ++kept;
+/// Adds the pairs of the sphere `one` with the spheres near it: by the table, pairs that it lacks one by one.
+void PairSum::add_near(Work& work, const SortedSpheres& spheres, int one) const {
+  NearSpheres& near = work.near;
+  if (table_) {
+    const auto pointers = [](auto& arrays) {
+      return std::array{arrays[0].data(), arrays[1].data(), arrays[2].data()};
+    };
+    const std::array<const double*, 3> forces = pointers(std::as_const(work.forces));
+    const std::array<double*, 3> velocities = pointers(work.velocities);
+    best_kernels<MobilityKernels>().pair_velocities(table_->table(), spheres, one, near, forces.data(),
+                                                    velocities.data());
   }
-  batch.count = kept;
-  if (table_)
-    best_kernels<MobilityKernels>().pair_velocities(table_->table(), &work.sources[3 * one], batch,
-                                                    &work.flows[3 * one]);
-  for (int t = 0; t < kept; ++t)
-    for (int a = 0; a < 3; ++a) work.flows[3 * batch.other[t] + a] += batch.velocity[a][t];
-  batch.count = 0;
+  const auto& [x, y, z] = coordinates_;
+  for (int t = 0; t < near.close_count; ++t) {
+    const int other = near.close[t];
+    Vec3 d(x[one] - x[other], y[one] - y[other], z[one] - z[other]);
+    for (int a = 0; a < 3; ++a)
+      if (spheres_.lengths[a] > 0) d[a] -= spheres_.lengths[a] * std::nearbyint(d[a] / spheres_.lengths[a]);
+    add_pair(work, one, other, d, d.norm());
+  }
+  near.count = near.close_count = 0;
 }
 
 /// Adds a pair at the vector d, of length r, from sphere `other` to sphere `one`.
@@ -131,21 +138,18 @@ void PairSum::add_pair(Work& work, int one, int other, const Vec3& d, double r) 
   work.one = one;
   const bool overlaps = r < radii_[one] + radii_[other];
   if (overlaps) add_overlap(work, one, other, d);
-  if (overlaps && xi_ == 0) return;  // there is no far part to subtract
-  // The near part of spheres that overlap is the exact flow minus the far part.
-  const int highest = 2 * spheres_.order + 2;
-  const MomentRadials radials = xi_ == 0   ? open_radials(r, spheres_.viscosity, highest)
-                                : overlaps ? minus_far_radials(xi_, r, spheres_.viscosity)
-                                           : near_radials(xi_, r, spheres_.viscosity, highest);
+  if (overlaps && !split_) return;  // there is no far part to subtract
   const int lane = work.count++;
   work.other[lane] = other;
+  work.overlaps[lane] = overlaps;
   const std::size_t n = spheres_.elements();
-  set_lane(work.pairs, lane, d, radials, moment_sizes(radii_[other]), {&work.sources[n * other], n});
+  set_lane(work.pairs, lane, d, moment_sizes(radii_[other]), {&work.sources[n * other], n});
 }
 
 /// Adds a pair of spheres with forces alone.
 void PairSum::add_forces(Work& work, int one, int other, const Vec3& d, double r) const {
-  const PairTensor tensor = near_part(xi_, is_positive_, radii_[one], radii_[other], r, spheres_.viscosity);
+  const PairTensor tensor =
+      near_part(split_, is_positive_, radii_[one], radii_[other], r, spheres_.viscosity);
   const auto push = [&](int to, int from) {
     Eigen::Map<Vec3>(&work.flows[3 * to]) += tensor.apply(d, r, Vec3(&work.sources[3 * from]));
   };
@@ -189,10 +193,28 @@ void PairSum::add_overlap(Work& work, int one, int other, const Vec3& d) const {
   }
 }
 
+/// Sets the radial functions of the current pairs.
+void PairSum::set_radials(Work& work) const {
+  const int highest = 2 * spheres_.order + 2;
+  const double viscosity = spheres_.viscosity;
+  if (split_)
+    best_kernels<MobilityKernels>().near_radials(split_->near, 1 / (8 * std::numbers::pi * viscosity),
+                                                 work.pairs);
+  for (int lane = 0; lane < (split_ ? work.count : lanes); ++lane) {
+    const double r = work.pairs.distance[lane];
+    // The near part of spheres that overlap is the exact flow minus the far part.
+    if (!split_)
+      beadswim::set_radials(work.pairs, lane, open_radials(r, viscosity, highest));
+    else if (work.overlaps[lane])
+      beadswim::set_radials(work.pairs, lane, far_radials(*split_, r, viscosity, highest).reversed());
+  }
+}
+
 /// Adds the flow of the current pairs.
 void PairSum::flush(Work& work) const {
   if (work.count == 0) return;
   clear_lanes(work.pairs, work.count);
+  set_radials(work);
   const std::size_t n = spheres_.elements();
   OneSphere one{.source = &work.sources[n * work.one], .size = {}, .flow = &work.flows[n * work.one]};
   std::ranges::copy(moment_sizes(radii_[work.one]), one.size);

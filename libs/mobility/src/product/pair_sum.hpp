@@ -8,6 +8,7 @@
 #include "beadswim/core/cell_list.hpp"
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
+#include "ewald_split.hpp"
 #include "imaged_spheres.hpp"
 #include "tensor_table.hpp"
 
@@ -32,14 +33,16 @@ class PairSum {
   struct Work;
   void add_all_pairs(Work& work, const Communicator& communicator) const;
   void add_near_pairs(Work& work, const Communicator& communicator) const;
-  void add_batch(Work& work, int one) const;
+  SortedSpheres sorted_spheres() const;
+  void add_near(Work& work, const SortedSpheres& spheres, int one) const;
   void add_pair(Work& work, int one, int other, const Vec3& d, double r) const;
   void add_forces(Work& work, int one, int other, const Vec3& d, double r) const;
   void add_overlap(Work& work, int one, int other, const Vec3& d) const;
+  void set_radials(Work& work) const;
   void flush(Work& work) const;
 
   ImagedSpheres spheres_;
-  double xi_, cutoff_;                  ///< of the Ewald sum; 0: all pairs in open space
+  std::optional<EwaldSplit> split_{};   ///< nullopt: all pairs in open space
   bool is_positive_;                    ///< EwaldPlan::is_positive
   std::optional<TensorTable> table_{};  ///< of forces without moments; nullopt: moments, or all pairs
   std::optional<CellList> cells_{};     ///< nullopt: all pairs
@@ -47,7 +50,7 @@ class PairSum {
   std::vector<int> order_;  ///< index of each sphere
   std::array<std::vector<double>, 3> coordinates_;
   std::vector<unsigned char> is_receiver_;
-  std::vector<double> radii_;
+  std::vector<double> radii_, squares_;  ///< a, a^2
 };
 
 }  // namespace beadswim

@@ -2,13 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <numbers>
 #include <numeric>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/keyed_random.hpp"
-#include "beadswim/mobility/ewald_split.hpp"
 #include "mobility_kernels.hpp"
 
 namespace beadswim {
@@ -18,6 +18,8 @@ ParticleMesh::ParticleMesh(const EwaldPlan& plan, const ImagedSpheres& spheres,
                            const std::optional<HalfSpace>& half_space, Receivers receivers,
                            const Communicator& communicator)
     : plan_(plan),
+      split_(plan.cutoff, plan.shape),
+      window_(plan.window, plan.window_shape),
       spheres_(spheres),
       at_points_(receivers == Receivers::points),
       half_space_(half_space),
@@ -35,39 +37,38 @@ ParticleMesh::ParticleMesh(const EwaldPlan& plan, const ImagedSpheres& spheres,
     points[a] = next_fft_size(spheres.lengths[a] / plan.spacing);
     spacing_[a] = spheres.lengths[a] / points[a];
   }
-  set_points(points);
+  set_points(points, points);
   if (memory) {
-    std::array<double, 3> exponent;
-    for (int a = 0; a < 3; ++a) exponent[a] = share(a) / (8 * plan_.xi * plan_.xi);
-    memory_ = std::make_unique<MemoryField>(*memory, spheres_, points, exponent, *transform_);
+    memory_ = std::make_unique<MemoryField>(
+        *memory, spheres_, points, std::array{inverse_windows(0), inverse_windows(1), inverse_windows(2)},
+        *transform_);
     fields_ = memory_->classes().size();
   }
 }
 
-void ParticleMesh::set_points(const std::array<int, 3>& points) {
+void ParticleMesh::set_points(const std::array<int, 3>& points, const std::array<int, 3>& used) {
   values_.clear();
-  transform_ = std::make_unique<MeshTransform>(points, communicator_);
+  transform_ = std::make_unique<MeshTransform>(points, used, communicator_);
   geometry_.window = plan_.window;
   geometry_.row_length = 2 * (points[2] / 2 + 1);  // padded for transforms in place
   geometry_.first_plane = transform_->first_plane();
   geometry_.planes = transform_->planes();
-  const double half = plan_.window / 2.0, decay = plan_.window_shape * plan_.window_shape / (2 * half * half);
+  geometry_.degree = window_.degree();
+  geometry_.polynomials = window_.polynomials();
   for (int a = 0; a < 3; ++a) {
     geometry_.points[a] = points[a];
     geometry_.inverse_spacing[a] = 1 / spacing_[a];
     geometry_.inverse_points[a] = 1.0 / points[a];
-    geometry_.decay[a] = decay;
-    geometry_.height[a] = std::sqrt(decay / std::numbers::pi) / spacing_[a];
-    for (int p = 0; p < plan_.window; ++p) geometry_.decay_at[a][p] = std::exp(-decay * p * p);
   }
 }
 
-/// Returns `share`, the part of the exponent of the far part's Gaussian that the windows apply along one
-/// axis. It follows from 2 xi^2 h^2/share = decay, where h is the mesh spacing and the window is
-/// exp(-decay d^2) at the distance d in units of h.
-double ParticleMesh::share(int axis) const {
-  const double xh = plan_.xi / geometry_.inverse_spacing[axis];
-  return 2 * xh * xh / geometry_.decay[axis];
+/// Returns 1 over the Fourier transform of the windows along one axis, by the magnitude of the index.
+std::vector<double> ParticleMesh::inverse_windows(int axis) const {
+  const int points = geometry_.points[axis];
+  std::vector<double> inverse;
+  for (int i = 0; i <= points / 2; ++i)
+    inverse.push_back(1 / window_.transform(2 * std::numbers::pi * i / points));
+  return inverse;
 }
 
 /// In open space, fits the mesh to the positions of beads and mirror points.
@@ -81,79 +82,143 @@ void ParticleMesh::fit_to(const Eigen::AlignedBox3d& bounds) {
                     "{:.3g}; the run may have become unstable: reduce the driving amplitude",
                     high[0] - low[0], high[1] - low[1], high[2] - low[2], plan_.spacing));
   }
-  std::array<int, 3> points;
+  std::array<int, 3> points, used;
   for (int a = 0; a < 3; ++a) {
     spacing_[a] = plan_.spacing;
-    points[a] = next_fft_size(2 * (std::floor((high[a] - low[a]) / plan_.spacing) + plan_.window) - 1);
-    geometry_.origin[a] = low[a] - plan_.window / 2 * plan_.spacing;
+    used[a] = static_cast<int>(std::floor((high[a] - low[a]) / plan_.spacing)) + plan_.window + 1;
+    points[a] = next_fft_size(2 * used[a] - 3);
+    used[a] = std::min(used[a], points[a]);
+    geometry_.origin[a] = low[a] - 0.5 * plan_.window * plan_.spacing;
   }
-  if (transform_ && std::ranges::equal(points, geometry_.points)) return;
-  set_points(points);
+  if (transform_ && std::ranges::equal(points, geometry_.points) && transform_->used() == used) return;
+  set_points(points, used);
   sample_kernel();
   pressure_kernel_.clear();
 }
 
-/// Returns the Fourier transforms of the components of function(d), where d is the vector from a force to a
-/// mesh point in open space [length], times the volume of a mesh cell over the number of mesh points. part(z)
-/// selects the part of the complex number z that is not 0: real for an even function, imaginary for an odd
-/// one.
-template <std::size_t components, class Function, class Part>
-std::vector<std::array<double, components>> ParticleMesh::transformed(const Function& function,
-                                                                      const Part& part) const {
-  const auto& n = geometry_.points;
-  const auto displacement = [&](int i, int axis) {
-    return (2 * i >= n[axis] ? i - n[axis] : i) * plan_.spacing;
-  };
-  std::array<FftwArray, components> samples;
-  for (FftwArray& s : samples) s = transform_->array();
-  for (int i = 0; i < geometry_.planes; ++i) {
-    for (int j = 0; j < n[1]; ++j) {
-      const std::ptrdiff_t row = (std::ptrdiff_t{i} * n[1] + j) * geometry_.row_length;
-      for (int l = 0; l < n[2]; ++l) {
-        const std::array<double, components> values = function(
-            Vec3(displacement(geometry_.first_plane + i, 0), displacement(j, 1), displacement(l, 2)));
-        for (std::size_t c = 0; c < components; ++c) samples[c][row + l] = values[c];
+namespace {
+
+/// Number of taps of the filter that undoes the windows, beside the one at 0.
+constexpr int taps = 32;
+
+/// Returns the taps d_0 to d_32 of a symmetric filter along one axis of a mesh of spacing h. Its Fourier
+/// transform d(k) = d_0 + 2 sum d_j cos(j k h) has the smallest mean square of (d W^2 - 1) s(k)/k, the error
+/// of the flow of random forces (ewald_plan.cpp).
+Eigen::VectorXd filter(const WindowTable& window, const EwaldSplit& split, double h) {
+  constexpr int samples = 240;
+  Eigen::MatrixXd cosines(samples, taps + 1);
+  Eigen::VectorXd wanted(samples);
+  for (int n = 0; n < samples; ++n) {
+    const double k = std::numbers::pi * (n + 0.5) / samples, w = window.transform(k);
+    wanted[n] = split.far_share(k / h) / std::max(k, 0.1);
+    for (int j = 0; j <= taps; ++j) cosines(n, j) = (j == 0 ? 1 : 2) * std::cos(j * k) * w * w * wanted[n];
+  }
+  return cosines.colPivHouseholderQr().solve(wanted);
+}
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+}  // namespace
+
+/// Returns the values of a function at the distances i h, j h, l h along the axes, without the windows, where
+/// i = 0 to half the number of mesh points, likewise j and l. is_odd: true for an axis if the function
+/// changes its sign with this coordinate.
+std::vector<double> ParticleMesh::octant(const std::function<double(const Vec3&)>& function,
+                                         const std::array<bool, 3>& is_odd) const {
+  const Eigen::VectorXd tap = filter(window_, split_, plan_.spacing);
+  std::array<RowMajor, 3> filters;  // from the distances 0 to half + taps
+  for (int a = 0; a < 3; ++a) {
+    const int half = geometry_.points[a] / 2;
+    filters[a].setZero(half + 1, half + 1 + taps);
+    for (int to = 0; to <= half; ++to)
+      for (int j = -taps; j <= taps; ++j) {
+        const int from = to + j;
+        filters[a](to, std::abs(from)) += (from < 0 && is_odd[a] ? -1 : 1) * tap[std::abs(j)];
       }
+  }
+  const Eigen::Index nx = filters[0].cols(), ny = filters[1].cols(), nz = filters[2].cols(),
+                     rows = filters[1].rows() * filters[2].rows();
+  RowMajor planes(nx, rows), plane(ny, nz);
+  for (Eigen::Index i = 0; i < nx; ++i) {
+    for (Eigen::Index j = 0; j < ny; ++j)
+      for (Eigen::Index l = 0; l < nz; ++l)
+        plane(j, l) = function(plan_.spacing *
+                               Vec3(static_cast<double>(i), static_cast<double>(j), static_cast<double>(l)));
+    RowMajor filtered = filters[1] * (plane * filters[2].transpose());
+    planes.row(i) = Eigen::Map<const Eigen::RowVectorXd>(filtered.data(), rows);
+  }
+  std::vector<double> values(filters[0].rows() * rows);
+  Eigen::Map<RowMajor>(values.data(), filters[0].rows(), rows).noalias() = filters[0] * planes;
+  return values;
+}
+
+/// Calls set(w, value) for the Fourier transform of a function of the vector from a force to a mesh point
+/// [length] at each wavevector w: its real part if the function is even, its imaginary part if it is odd. The
+/// values contain the volume of a mesh cell over the number of mesh points.
+void ParticleMesh::transform_kernel(const MeshTransform& whole,
+                                    const std::function<double(const Vec3&)>& function,
+                                    const std::array<bool, 3>& is_odd,
+                                    const std::function<void(std::ptrdiff_t, double)>& set) const {
+  const auto& n = geometry_.points;
+  const std::vector<double> values = octant(function, is_odd);
+  const FftwArray samples = whole.array();
+  const auto folded = [&](int i, int a) { return 2 * i >= n[a] ? n[a] - i : i; };
+  const auto sign = [&](int i, int a) { return 2 * i >= n[a] && is_odd[a] ? -1 : 1; };
+  for (int p = 0; p < whole.planes(); ++p) {
+    const int i = whole.first_plane() + p;
+    for (int j = 0; j < n[1]; ++j) {
+      double* const row = samples.get() + (std::ptrdiff_t{p} * n[1] + j) * geometry_.row_length;
+      const double* const from =
+          &values[(std::ptrdiff_t{folded(i, 0)} * (n[1] / 2 + 1) + folded(j, 1)) * (n[2] / 2 + 1)];
+      for (int l = 0; l < n[2]; ++l) row[l] = sign(i, 0) * sign(j, 1) * sign(l, 2) * from[folded(l, 2)];
     }
   }
-  std::vector<std::array<double, components>> waves(transform_->wave_count());
+  whole.forward(samples);
   const double scale = std::pow(plan_.spacing, 3) / (double(n[0]) * n[1] * n[2]);
-  for (std::size_t c = 0; c < components; ++c) {
-    transform_->forward(samples[c]);
-    for (std::ptrdiff_t w = 0; w < transform_->wave_count(); ++w)
-      waves[w][c] = scale * part(as_complex(samples[c])[w]);
+  const bool is_imaginary = (is_odd[0] ? 1 : 0) + (is_odd[1] ? 1 : 0) + (is_odd[2] ? 1 : 0) == 1;
+  for (std::ptrdiff_t w = 0; w < transform_->wave_count(); ++w) {
+    const Complex& z = as_complex(samples)[w];
+    set(w, scale * (is_imaginary ? z.imag() : z.real()));
   }
-  return waves;
 }
 
 void ParticleMesh::sample_kernel() {
-  kernel_.clear();
+  kernel_.assign(6 * fields_, std::vector<double>(transform_->wave_count()));
+  const MeshTransform whole(transform_->points(), transform_->points(), communicator_);
   for (std::size_t k = 0; k < fields_; ++k) {
-    const auto tensor_at = [&](const Vec3& d) {
-      const double r = d.norm();
-      const SplitTensor parts = far_tensor(plan_.xi, share(0), r, spheres_.viscosity);
-      const PairTensor tensor = k == 0 ? parts.sphere_tensor({.squares = fields_ == 1 ? shared_size_ : 0})
-                                       : PairTensor{parts.laplacian.isotropic / 6, parts.laplacian.axial / 6};
-      const Vec3 unit = r > 0 ? Vec3(d / r) : Vec3::Zero();
-      std::array<double, 6> elements;
-      int c = 0;
-      for (int a = 0; a < 3; ++a)
-        for (int b = a; b < 3; ++b, ++c)
-          elements[c] = (a == b ? tensor.isotropic : 0) + tensor.axial * unit[a] * unit[b];
-      return elements;
+    const auto tensor_at = [&](double r) {
+      const SplitTensor parts = far_tensor(split_, r, spheres_.viscosity);
+      return k == 0 ? parts.sphere_tensor({.squares = fields_ == 1 ? shared_size_ : 0})
+                    : PairTensor{parts.laplacian.isotropic / 6, parts.laplacian.axial / 6};
     };
-    kernel_.push_back(transformed<6>(tensor_at, [](const Complex& z) { return z.real(); }));
+    int c = 0;
+    for (int a = 0; a < 3; ++a)
+      for (int b = a; b < 3; ++b, ++c) {
+        std::array<bool, 3> is_odd{};
+        if (a != b) is_odd[a] = is_odd[b] = true;
+        const auto element = [&](const Vec3& d) {
+          const double r = d.norm();
+          const PairTensor tensor = tensor_at(r);
+          return (a == b ? tensor.isotropic : 0) + (r > 0 ? tensor.axial * d[a] * d[b] / (r * r) : 0);
+        };
+        transform_kernel(whole, element, is_odd,
+                         [&](std::ptrdiff_t w, double value) { kernel_[6 * k + c][w] = value; });
+      }
   }
 }
 
 /// Samples the kernel of p/eta, without the windows.
 void ParticleMesh::sample_pressure_kernel() {
   pressure_ = transform_->array();
-  const auto pressure_at = [&](const Vec3& d) {
-    const double factor = far_pressure(plan_.xi, share(0), d.norm(), spheres_.viscosity);
-    return std::array{factor * d[0], factor * d[1], factor * d[2]};
-  };
-  pressure_kernel_ = transformed<3>(pressure_at, [](const Complex& z) { return z.imag(); });
+  pressure_kernel_.resize(transform_->wave_count());
+  const MeshTransform whole(transform_->points(), transform_->points(), communicator_);
+  for (int c = 0; c < 3; ++c) {
+    std::array<bool, 3> is_odd{};
+    is_odd[c] = true;
+    transform_kernel(
+        whole, [&](const Vec3& d) { return far_pressure(split_, d.norm(), spheres_.viscosity) * d[c]; },
+        is_odd, [&](std::ptrdiff_t w, double value) { pressure_kernel_[w][c] = value; });
+  }
 }
 
 /// Sets the Fourier transform of the pressure from that of the forces.
@@ -222,7 +287,8 @@ void ParticleMesh::read_sources(std::span<const double> sources) {
     for (int c = 0; c < 3; ++c) {
       if (!values_[f][c]) values_[f][c] = transform_->array();
       onto[c] = values_[f][c].get();
-      std::fill_n(onto[c], transform_->reals(), 0.0);
+      std::fill_n(onto[c], std::ptrdiff_t{geometry_.planes} * geometry_.points[1] * geometry_.row_length,
+                  0.0);
     }
     best_kernels<MobilityKernels>().spread(spheres_.order, geometry_, sources_.windows(), sorted.data(),
                                            onto.data());
@@ -330,18 +396,18 @@ std::vector<FieldFactors> ParticleMesh::field_factors() const {
 /// Replaces the Fourier modes of the sources in a periodic box by those of their flow.
 void ParticleMesh::multiply_periodic() {
   const auto& n = geometry_.points;
-  std::array<double, 3> wave;                // wavenumber per index
-  std::array<std::vector<double>, 3> decay;  // factor of the kernel's Gaussian, by the magnitude of the index
+  std::array<double, 3> wave;                  // wavenumber per index
+  std::array<std::vector<double>, 3> windows;  // inverse squares, by the magnitude of the index
   for (int a = 0; a < 3; ++a) {
     wave[a] = 2 * std::numbers::pi / spheres_.lengths[a];
-    const double exponent = (1 - share(a)) * wave[a] * wave[a] / (4 * plan_.xi * plan_.xi);
-    for (int i = 0; i <= n[a] / 2; ++i) decay[a].push_back(std::exp(-exponent * i * i));
+    windows[a] = inverse_windows(a);
+    for (double& window : windows[a]) window *= window;
   }
   const std::vector<FieldFactors> factors = field_factors();
-  std::vector<double> kz, decay_z;
+  std::vector<double> kz, window_z;
   for (int l = 0; l < geometry_.row_length; ++l) {
     kz.push_back(l / 2 * wave[2]);
-    decay_z.push_back(decay[2][l / 2]);
+    window_z.push_back(windows[2][l / 2]);
   }
   const double scale = 1 / (double(n[0]) * n[1] * n[2]);  // h^3/V: mesh cell over box volume
   std::vector<double*> rows(3 * fields_);
@@ -353,9 +419,12 @@ void ParticleMesh::multiply_periodic() {
               .kx = i * wave[0],
               .ky = j * wave[1],
               .kz = kz.data(),
-              .xi = plan_.xi,
-              .scale = scale * decay[0][std::abs(i)] * decay[1][std::abs(j)] / spheres_.viscosity,
-              .decay = decay_z.data()},
+              .scale = scale * windows[0][std::abs(i)] * windows[1][std::abs(j)] / spheres_.viscosity,
+              .window = window_z.data(),
+              .far_terms = split_.far_terms.data(),
+              .terms = static_cast<int>(split_.far_terms.size()),
+              .square = split_.shape * split_.shape,
+              .cutoff_square = split_.cutoff * split_.cutoff},
              static_cast<int>(fields_), factors.data(), rows.data());
   });
 }
@@ -368,13 +437,15 @@ void ParticleMesh::set_noise(std::uint64_t seed) {
       std::fill_n(component.get(), transform_->reals(), 0.0);
     }
   const auto& n = geometry_.points;
-  std::array<double, 3> wave, exponent;
+  std::array<double, 3> wave;
+  std::array<std::vector<double>, 3> windows;
   for (int a = 0; a < 3; ++a) {
     wave[a] = 2 * std::numbers::pi / spheres_.lengths[a];
-    exponent[a] = (1 - share(a)) / (4 * plan_.xi * plan_.xi);
+    windows[a] = inverse_windows(a);
   }
   // Beyond this wavenumber the mesh has no modes along one axis, and the far part is negligible.
-  const double largest = (1 - 1e-9) * std::numbers::pi / std::ranges::max(spacing_);
+  const double largest =
+      std::min((1 - 1e-9) * std::numbers::pi / std::ranges::max(spacing_), split_.shape / split_.cutoff);
   const double scale = 1 / (double(n[0]) * n[1] * n[2] * cell_volume() * spheres_.viscosity);
   const std::vector<FieldFactors> factors = field_factors();
   transform_->for_each_wave([&](std::ptrdiff_t place, int i, int j, int l) {
@@ -386,9 +457,8 @@ void ParticleMesh::set_noise(std::uint64_t seed) {
     const double k2 = k.squaredNorm();
     if (k2 == 0 || k2 > largest * largest) return;
     KeyedRandom random(seed, static_cast<std::uint64_t>((x * n[1] + y) * n[2] + l), 0);
-    const double decay =
-        std::exp(-(exponent[0] * k[0] * k[0] + exponent[1] * k[1] * k[1] + exponent[2] * k[2] * k[2]));
-    const double size = std::sqrt(scale * decay * (1 + k2 / (4 * plan_.xi * plan_.xi)) / k2 / 2);
+    const double window = windows[0][std::abs(i)] * windows[1][std::abs(j)] * windows[2][l];
+    const double size = window * std::sqrt(scale * split_.far_share(std::sqrt(k2)) / k2 / 2);
     const Vec3 first = k.unitOrthogonal(), second = k.cross(first) / std::sqrt(k2);
     const auto [a, b] = random.normal_pair();
     const auto [c, d] = random.normal_pair();
@@ -403,33 +473,14 @@ void ParticleMesh::set_noise(std::uint64_t seed) {
     for (FftwArray& component : field) transform_->backward(component);
 }
 
-namespace {
-
-/// Returns the product of a symmetric tensor, stored as (xx, xy, xz, yy, yz, zz), and a vector.
-std::array<Complex, 3> times(const std::array<double, 6>& t, const std::array<Complex, 3>& f) {
-  return {t[0] * f[0] + t[1] * f[1] + t[2] * f[2], t[1] * f[0] + t[3] * f[1] + t[4] * f[2],
-          t[2] * f[0] + t[4] * f[1] + t[5] * f[2]};
-}
-
-}  // namespace
-
 void ParticleMesh::multiply_open() {
-  for (std::ptrdiff_t place = 0; place < transform_->wave_count(); ++place) {
-    std::array<Complex, 3> F, D;
-    for (int c = 0; c < 3; ++c) {
-      F[c] = as_complex(values_[0][c])[place];
-      if (fields_ == 2) D[c] = as_complex(values_[1][c])[place];
-    }
-    auto u = times(kernel_[0][place], F);
-    if (fields_ == 2) {
-      const auto by_size = times(kernel_[1][place], D), second = times(kernel_[1][place], F);
-      for (int c = 0; c < 3; ++c) {
-        u[c] += by_size[c];
-        as_complex(values_[1][c])[place] = second[c];
-      }
-    }
-    for (int c = 0; c < 3; ++c) as_complex(values_[0][c])[place] = u[c];
-  }
+  std::vector<const double*> kernel;
+  for (const auto& element : kernel_) kernel.push_back(element.data());
+  std::vector<double*> values;
+  for (auto& field : values_)
+    for (FftwArray& component : field) values.push_back(component.get());
+  best_kernels<MobilityKernels>().multiply_tensors(transform_->wave_count(), static_cast<int>(fields_),
+                                                   kernel.data(), values.data());
 }
 
 }  // namespace beadswim

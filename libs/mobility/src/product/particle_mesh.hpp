@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -11,32 +12,29 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
 #include "beadswim/mobility/fluid_memory.hpp"
+#include "ewald_split.hpp"
 #include "imaged_spheres.hpp"
 #include "memory_field.hpp"
 #include "mesh_transform.hpp"
 #include "mobility_kernels.hpp"
 #include "wall_reflection.hpp"
+#include "window_table.hpp"
 
 // Far part of an Ewald sum for the velocities of beads, evaluated on a mesh ("spectral Ewald"). Each bead
-// acts on the mesh points near it, weighted by a Gaussian W around its centre (its window). The forces are
-// spread to the mesh with these weights, Fourier transformed, multiplied by the kernel K and transformed
-// back. The velocities of the beads are interpolated with the same weights.
+// acts on the mesh points near it, weighted by a Kaiser-Bessel function W around its centre (its window,
+// window_table.hpp). The forces are spread to the mesh with these weights, Fourier transformed, multiplied by
+// the kernel K and transformed back. The velocities of the beads are interpolated with the same weights.
 //
 //   u_i = h^3 sum_g W(x_i - g) u(g),   u = K * sum_j W(g - x_j) f_j,   K = far part / W^2
-//   W(x) = prod over axes of sqrt(2 xi^2/(pi share)) exp(-2 xi^2 x^2/share)
-//   Fourier transform of W:  exp(-share k^2/(8 xi^2))
 //
 //   u_i, f_j  velocity and force of the beads at x_i and x_j
 //   g, h      mesh point, mesh spacing [length];  *  convolution
 //   K         kernel; the quotient (far part)/W^2 is taken between Fourier transforms
-//   xi        splitting parameter (ewald_split.hpp) [1/length]
-//   share     part of the exponent of the far part's Gaussian that the windows apply, 0 to 1
 //
-// The far part contains the Gaussian exp(-k^2/(4 xi^2)). Spreading and interpolation apply W once each,
-// together the factor exp(-share k^2/(4 xi^2)). K contains the remaining factor. `share` is chosen such that
-// W decreases to exp(-m^2/2) of its maximum at the edge of the window (EwaldPlan::window_shape). In a
-// periodic box the Fourier transform of K is known in closed form. In open space K is smooth and is sampled
-// on a mesh of twice the size, where the periodic convolution equals the convolution in open space.
+// In a periodic box the Fourier transform of K is known in closed form. In open space K is sampled on a mesh
+// of twice the size, where the periodic convolution equals the convolution in open space. The samples are
+// those of the far part, to which a filter along each axis is applied. In Fourier space the filter is a sum
+// of cosines, which approximates 1/W^2 where the far part is not negligible.
 //
 // If all beads have one radius a and only forces act, one field is transformed: the forces F, with D = a^2 F.
 // Otherwise a second field D is transformed: the forces times a_j^2, where a_j is the radius of the bead on
@@ -111,12 +109,15 @@ class ParticleMesh {
   };
   SortedBeads sorted(std::span<const Vec3> positions) const;
   bool is_periodic() const { return spheres_.lengths[0] > 0; }
-  void set_points(const std::array<int, 3>& points);
+  void set_points(const std::array<int, 3>& points, const std::array<int, 3>& used);
   void fit_to(const Eigen::AlignedBox3d& bounds);
-  double share(int axis) const;
+  std::vector<double> inverse_windows(int axis) const;
+  std::vector<double> octant(const std::function<double(const Vec3&)>& function,
+                             const std::array<bool, 3>& is_odd) const;
   double cell_volume() const { return spacing_[0] * spacing_[1] * spacing_[2]; }
-  template <std::size_t components, class Function, class Part>
-  std::vector<std::array<double, components>> transformed(const Function& function, const Part& part) const;
+  void transform_kernel(const MeshTransform& whole, const std::function<double(const Vec3&)>& function,
+                        const std::array<bool, 3>& is_odd,
+                        const std::function<void(std::ptrdiff_t, double)>& set) const;
   void sample_kernel();
   void sample_pressure_kernel();
   void set_pressure();
@@ -133,6 +134,8 @@ class ParticleMesh {
   void multiply_open();
 
   EwaldPlan plan_;
+  EwaldSplit split_;
+  WindowTable window_;
   ImagedSpheres spheres_;
   bool at_points_;
   std::optional<HalfSpace> half_space_;
@@ -144,7 +147,7 @@ class ParticleMesh {
   std::unique_ptr<MeshTransform> transform_{};
   std::vector<std::array<FftwArray, 3>> values_{};  ///< mesh values per field: forces, replaced by velocities
   SortedBeads sources_, receivers_, mirrors_;       ///< beads with images; receivers; their mirror points
-  std::vector<std::vector<std::array<double, 6>>> kernel_{};  ///< open space: Fourier transforms of K and L
+  std::vector<std::vector<double>> kernel_{};  ///< open space: elements of the Fourier transforms of K and L
   /// Over a wall: imaginary part of the Fourier transform of the kernel of p/eta, and mesh values of p/eta.
   std::vector<std::array<double, 3>> pressure_kernel_{};
   FftwArray pressure_{};

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/mobility/ewald_split.hpp"
-
 namespace beadswim {
 namespace {
 
@@ -34,13 +32,15 @@ Fit fit(const Fit& values) {
 
 }  // namespace
 
-PairTensor near_part(double xi, bool is_positive, double a_i, double a_j, double r, double viscosity) {
-  if (xi == 0) return rotne_prager_tensor(a_i, a_j, r, viscosity);
+PairTensor near_part(const std::optional<EwaldSplit>& split, bool is_positive, double a_i, double a_j,
+                     double r, double viscosity) {
+  if (!split) return rotne_prager_tensor(a_i, a_j, r, viscosity);
   const double squares = a_i * a_i + a_j * a_j;
   const PairSizes sizes{.squares = squares, .product = is_positive ? a_i * a_i * a_j * a_j : 0};
   if (r < 1e-3 * std::min(a_i, a_j))  // avoids cancellation of large terms as r -> 0
-    return rotne_prager_tensor(a_i, a_j, r, viscosity) - far_tensor(xi, 0, 0, viscosity).sphere_tensor(sizes);
-  PairTensor tensor = near_tensor(xi, r, viscosity).sphere_tensor(sizes);
+    return rotne_prager_tensor(a_i, a_j, r, viscosity) -
+           far_tensor(*split, 0, viscosity).sphere_tensor(sizes);
+  PairTensor tensor = near_tensor(*split, r, viscosity).sphere_tensor(sizes);
   if (r < a_i + a_j) {
     const PairTensor overlap =
         rotne_prager_tensor(a_i, a_j, r, viscosity) - rotne_prager_tensor_apart(squares, r, viscosity);
@@ -54,6 +54,7 @@ TensorTable::TensorTable(const ImagedSpheres& spheres, const EwaldPlan& plan, do
   const bool has_one_radius = *smallest == *largest;
   const double first_distance = std::min(min_distance, plan.cutoff), square = *largest * *largest;
   const PairSizes sizes{.squares = 2 * square, .product = plan.is_positive ? square * square : 0};
+  const EwaldSplit split(plan.cutoff, plan.shape);
   min_square_ = first_distance * first_distance;
   const auto stretch_of = [](double r) { return std::bit_cast<std::int64_t>(r * r) >> PairTable::shift; };
   table_ = {.first = stretch_of(first_distance),
@@ -68,7 +69,7 @@ TensorTable::TensorTable(const ImagedSpheres& spheres, const EwaldPlan& plan, do
     const auto edge = [&](int n) { return std::bit_cast<double>((table_.first + n) << PairTable::shift); };
     for (int k = 0; k < powers; ++k) {
       const double r = std::sqrt(std::lerp(edge(s), edge(s + 1), chebyshev_point(k)));
-      const SplitTensor parts = near_tensor(plan.xi, r, spheres.viscosity);
+      const SplitTensor parts = near_tensor(split, r, spheres.viscosity);
       const PairTensor first = has_one_radius ? parts.sphere_tensor(sizes) : parts.oseen;
       values[0][k] = first.isotropic;
       values[1][k] = first.axial / (r * r);

@@ -1,5 +1,7 @@
 #include "wall_images.hpp"
 
+#include <numbers>
+
 #include "beadswim/mobility/wall_mobility.hpp"
 #include "moment_radials.hpp"
 
@@ -7,7 +9,7 @@ namespace beadswim {
 
 void SourceSum::set_positions(std::span<const Vec3> positions) {
   places_.assign(positions.begin(), positions.end());
-  if (plan_) cells_.emplace(positions, plan_->cutoff, spheres_.lengths);
+  if (split_) cells_.emplace(positions, split_->cutoff, spheres_.lengths);
 }
 
 void SourceSum::add_flow(std::span<const double> sources, const Vec3& place, int axis,
@@ -26,20 +28,21 @@ void SourceSum::add_flow(std::span<const double> sources, const Vec3& place, int
   int used = 0;
   const auto flush = [&] {
     clear_lanes(batch, used);
-    best_kernels<MobilityKernels>().mirror_flow(order, receivers_, axis, batch, plan_.has_value(), parts);
+    const MobilityKernels& kernels = best_kernels<MobilityKernels>();
+    if (split_) kernels.near_radials(split_->near, 1 / (8 * std::numbers::pi * spheres_.viscosity), batch);
+    kernels.mirror_flow(order, receivers_, axis, batch, split_.has_value(), parts);
     used = 0;
   };
   const auto add = [&](int sphere, const Vec3& r) {
-    set_lane(batch, used++, r,
-             plan_ ? near_radials(plan_->xi, r.norm(), spheres_.viscosity, highest)
-                   : open_radials(r.norm(), spheres_.viscosity, highest),
-             moment_sizes(spheres_.radii[sphere]), sources.subspan(elements * sphere, elements));
-    if (used == lanes) flush();
+    set_lane(batch, used, r, moment_sizes(spheres_.radii[sphere]),
+             sources.subspan(elements * sphere, elements));
+    if (!split_) set_radials(batch, used, open_radials(r.norm(), spheres_.viscosity, highest));
+    if (++used == lanes) flush();
   };
   if (cells_) {
     cells_->visit_neighbours(place, [&](std::size_t other) {
       const Vec3 r = from(static_cast<int>(other));
-      if (r.norm() < plan_->cutoff) add(static_cast<int>(other), r);
+      if (r.norm() < split_->cutoff) add(static_cast<int>(other), r);
       return true;
     });
   } else {

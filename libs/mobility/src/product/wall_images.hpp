@@ -8,6 +8,7 @@
 #include "beadswim/core/cell_list.hpp"
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
+#include "ewald_split.hpp"
 #include "imaged_spheres.hpp"
 #include "wall_reflection.hpp"
 
@@ -19,7 +20,9 @@ class SourceSum {
  public:
   /// `plan`: of the Ewald sum; nullopt: all spheres.
   SourceSum(const ImagedSpheres& spheres, Receivers receivers, const std::optional<EwaldPlan>& plan)
-      : spheres_(spheres), receivers_(receivers), plan_(plan) {}
+      : spheres_(spheres), receivers_(receivers) {
+    if (plan) split_.emplace(plan->cutoff, plan->shape);
+  }
 
   void set_positions(std::span<const Vec3> positions);
   /// Adds the flow of all spheres at a place apart from them, with the axes of a wall across `axis`.
@@ -29,9 +32,9 @@ class SourceSum {
  private:
   ImagedSpheres spheres_;
   Receivers receivers_;
-  std::optional<EwaldPlan> plan_;
+  std::optional<EwaldSplit> split_{};  ///< nullopt: all spheres are summed
   std::vector<Vec3> places_;         ///< [length]
-  std::optional<CellList> cells_{};  ///< nullopt: all spheres are summed
+  std::optional<CellList> cells_{};  ///< of the near part
 };
 
 /// Flow that a plane no-slip wall adds to the flow of force moments of many spheres (wall_reflection.hpp), at

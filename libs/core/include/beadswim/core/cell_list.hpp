@@ -12,16 +12,17 @@
 namespace beadswim {
 
 /// Sorts points into cells, so that pairs of points within a cutoff are found without a test of all pairs.
-/// The edge of a cell is at least half the cutoff. All points within the cutoff of a point are therefore in
-/// its own cell or at most two cells away along each axis. Memory and construction time are linear in the
-/// number of points.
+/// The edge of a cell is at least the cutoff over its reach, 1 or 2. All points within the cutoff of a point
+/// are therefore in its own cell or at most `reach` cells away along each axis. Memory and construction time
+/// are linear in the number of points.
 class CellList {
  public:
   /// Builds the list.
   ///   positions  at least one point [length]; non-finite coordinates are allowed
   ///   cutoff     distance up to which pairs are found [length]
   ///   lengths    edges of the periodic box [length]; all 0 in open space
-  CellList(std::span<const Vec3> positions, double cutoff, const Vec3& lengths);
+  ///   reach      1: few, long ranges of points; 2: fewer points beyond the cutoff
+  CellList(std::span<const Vec3> positions, double cutoff, const Vec3& lengths, int reach = 2);
 
   bool is_periodic() const { return lengths_[0] > 0; }
 
@@ -62,8 +63,8 @@ class CellList {
   /// index `at`. The range contains each cell once.
   Range neighbour_cells(int at, int axis) const {
     const int count = counts_[axis];
-    if (is_periodic()) return count >= 5 ? Range{at - 2, at + 2} : Range{0, count - 1};
-    return {std::max(0, at - 2), std::min(count - 1, at + 2)};
+    if (is_periodic()) return count > 2 * reach_ ? Range{at - reach_, at + reach_} : Range{0, count - 1};
+    return {std::max(0, at - reach_), std::min(count - 1, at + reach_)};
   }
 
   /// Calls visit(first, last) for ranges of consecutive cells, both included. Together the ranges contain
@@ -87,6 +88,7 @@ class CellList {
   int cell_of(const Vec3& position) const;
 
   Vec3 lengths_;
+  int reach_;
   Vec3 low_ = Vec3::Zero();  ///< corner of the cells with the smallest coordinates
   std::array<double, 3> inverse_edge_{};
   std::array<int, 3> counts_{};  ///< number of cells along each axis

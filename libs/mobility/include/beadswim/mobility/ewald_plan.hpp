@@ -1,13 +1,12 @@
 #pragma once
 
-#include <limits>
 #include <optional>
 
 #include "beadswim/core/vec3.hpp"
 
 // Choice of the parameters of an Ewald sum for a given error. The Ewald sum evaluates the velocities of beads
 // in Stokes flow from the forces on the beads. It consists of a near part, which is summed over pairs of
-// beads, and a far part, which is evaluated on a mesh (ewald_split.hpp).
+// beads, and a far part, which is evaluated on a mesh. Page: docs/method/mobility-product.md.
 
 namespace beadswim {
 
@@ -24,7 +23,7 @@ struct EwaldScene {
   /// Open space over the wall of a half-space: edges of the box around all beads and their mirror points
   /// [length]. nullopt: no wall.
   std::optional<Vec3> lengths_with_mirror_points{};
-  double max_spacing = std::numeric_limits<double>::infinity();  ///< upper bound of the mesh spacing [length]
+  double memory_cutoff = 0;  ///< largest wavenumber of a fluid's memory (fluid_memory.hpp); 0: none
   /// Ewald sum for the root of the mobility of forces in a periodic box (mobility_root.hpp): its parts are
   /// positive, and the near part is summed several times for each evaluation on the mesh.
   bool is_for_root = false;
@@ -33,28 +32,24 @@ struct EwaldScene {
 /// Parameters of an Ewald sum, whose near part is summed over pairs of beads and whose far part is evaluated
 /// on a mesh.
 struct EwaldPlan {
-  double xi = 0;      ///< splitting parameter: the near part decays as exp(-xi^2 r^2) [1/length]
-  double cutoff = 0;  ///< distance r up to which the near part is summed over pairs [length]
+  double cutoff = 0;  ///< distance up to which the near part is summed over pairs [length]
+  double shape = 0;   ///< shape of the splitting function: the far part decays to about exp(-shape)
   /// Open space: mesh spacing [length]. Periodic box: upper bound of the mesh spacing; the spacing used
   /// divides each edge of the box.
   double spacing = 0;
-  /// Number of mesh points per axis over which a Gaussian spreads the force on a bead (the window of the
-  /// bead). Even.
-  int window = 0;
-  /// Shape m of the window: at the edge of the window, where it is truncated, the Gaussian has decreased to
-  /// exp(-m^2/2) of its maximum.
-  double window_shape = 0;
+  int window = 0;           ///< number of mesh points per axis over which the force on a bead is spread
+  double window_shape = 0;  ///< shape of the window, a Kaiser-Bessel function
   /// Over the wall of a half-space: true if the mesh contains the mirror points of the beads. Few beads far
   /// from the wall would need a large mesh that is mostly empty.
   bool has_mirror_points = false;
-  bool is_positive = false;  ///< near and far part are positive (ewald_split.hpp)
+  bool is_positive = false;  ///< near and far part are positive (mobility_root.hpp)
 };
 
 /// Returns the parameters of the Ewald sum with the smallest estimated computing time for the tolerance of
 /// the scene (docs/method/mobility-product.md). In a periodic box the cutoff is at most half the shortest
 /// edge, so that at most one image of each pair is within the cutoff. For a root there are no parameters in
-/// too narrow a box: xi is 0. Throws InputError if the tolerance is not in [1e-12, 1e-2], or if an edge of
-/// the periodic box is less than four times the largest radius.
+/// too narrow a box: the cutoff is 0. Throws InputError if the tolerance is not in [1e-12, 1e-2], or if an
+/// edge of the periodic box is less than four times the largest radius.
 EwaldPlan plan_ewald(const EwaldScene& scene);
 
 /// Returns the parameters of the Ewald sum for the flow at the points of the scene; nullopt if in open space

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "beadswim/core/vec3.hpp"
+
 // clang-format off
 // Memory of a fluid with inertia: flow u of forces f on the fluid, at low Reynolds numbers.
 //
@@ -37,9 +39,13 @@ namespace beadswim {
 struct FluidMemory {
   double density = 0;               ///< rho [mass/length^3]; 0: steady flow
   double step = 0;                  ///< h, time step [time]
-  double spacing = 0;               ///< largest spacing of the mesh that carries the memory [length]
+  double spacing = 0;               ///< largest spacing of the mesh of the Reynolds stress [length]
   bool has_reynolds_stress = true;  ///< true: R acts on the fluid
 };
+
+/// Returns the largest wavenumber of the memory in a periodic box with edges of these lengths: two thirds of
+/// the largest wavenumber on the mesh of the Reynolds stress, so that products of two flows have no aliases.
+double memory_cutoff(const FluidMemory& fluid, const Vec3& lengths);
 
 /// Largest mesh spacing, divided by the smallest bead radius, for each highest moment of the forces (0, 1,
 /// 2). Errors of the mesh are larger in swarms than for one bead, because modes above its cutoff add up. The

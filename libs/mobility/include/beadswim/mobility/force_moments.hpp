@@ -75,9 +75,10 @@ Eigen::MatrixXd moment_self_mobility(int order, double radius, double viscosity)
 /// Returns the part of moment_self_mobility() by wavenumbers below `wavenumber`. In it, F and Q couple.
 Eigen::MatrixXd moment_self_mobility_below(double wavenumber, int order, double radius, double viscosity);
 
-/// Returns the part of moment_self_mobility() by the far part of an Ewald sum with the splitting parameter xi
-/// [1/length] (ewald_split.hpp): by the wavenumbers k with the weight (1 + k^2/(4 xi^2)) exp(-k^2/(4 xi^2)),
-/// and with P_l P_m = 1 + (c_l + c_m) a^2 laplacian, the terms that the flow of other spheres needs.
-Eigen::MatrixXd far_moment_self_mobility(double xi, int order, double radius, double viscosity);
+/// Returns the part of moment_self_mobility() by the far part of an Ewald sum: by the wavenumbers k with the
+/// weight s(k), and with P_l P_m = 1 + (c_l + c_m) a^2 laplacian, the terms that the flow of other spheres
+/// needs. far_integrals: of k^(2 n) s(k), n = 0 to 3 [1/length^(2 n + 1)].
+Eigen::MatrixXd far_moment_self_mobility(const std::array<double, 4>& far_integrals, int order, double radius,
+                                         double viscosity);
 
 }  // namespace beadswim
