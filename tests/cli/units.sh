@@ -68,6 +68,8 @@ models=(oseen rpy rpy+near multipole unsteady lbm)
 for n in {0..5}; do # two systems for each model, and two models for each system
   model=${models[n]}
   settings=(--model "$model" --cycles 1 --progress none --no-provenance)
+  # Roundoff may change the number of iterations for moments, and so results within their tolerance.
+  if [[ $model =~ ^(multipole|unsteady)$ ]]; then settings+=(--sum-tolerance 1e-9); fi
   run beadswim-run cell.json -o cell.h5md "${settings[@]}"
   has_status 0
   mv out reference.json

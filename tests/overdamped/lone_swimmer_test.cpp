@@ -108,7 +108,7 @@ TEST(OverdampedSwimmer, IsCheckedAlikeAfterARestart) {
     int until, steps;
     bool sinks;
   };
-  for (const auto& [force, until, steps, sinks] : {Case{10, 3, 20, true}, Case{1e-6, 160, 260, false}}) {
+  for (const auto& [force, until, steps, sinks] : {Case{12, 3, 20, true}, Case{1e-6, 160, 260, false}}) {
     SwimmerType type;
     type.beads = {{{.radius = 1, .density = 1}, Vec3::Zero()}};
     type.driving.period = 10;

@@ -146,7 +146,7 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
     if (request.is_unsteady) {
       row.mesh_seconds = mesh_seconds(scene, *product.plan(), beads, request.rounds, communicator);
       row.end_of_step_seconds = median(
-          times_of(request.rounds, communicator, [&] { product.end_step(beads.forces, Vec3::Zero()); }));
+          times_of(request.rounds, communicator, [&] { product.end_step(product.moments(), Vec3::Zero()); }));
     }
   }
   if (is_on_mesh && count <= max_beads_for_error && request.tolerance >= min_tolerance_for_error) {

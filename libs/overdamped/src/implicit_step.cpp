@@ -64,16 +64,16 @@ ImplicitStepResult solve_linearised(const StepScene& scene, Mobility& mobility, 
   double excess_share = 0;  // sum m'/(rho V)
   for (const double mass : scene.excess_masses) excess_share += mass / scene.fluid_mass;
   // The mean flow u_0 depends on the velocities y + u_0 themselves: u_0 = u_0(y)/(1 + sum m'/(rho V)).
-  const auto product = [&](const Beads& forces, FlowPart part) {
+  const auto product = [&](const Beads& forces, FlowPart part, const MomentGuess& guess) {
     Beads velocities(forces.size());
-    result.work.add(mobility.apply(forces, velocities, part));
+    result.work.add(mobility.apply(forces, velocities, part, guess));
     if (const Vec3 flow = mean_flow(scene, velocities) / (1 + excess_share); !flow.isZero(0))
       for (Vec3& v : velocities) v += flow;
     return velocities;
   };
-  const auto present_moments = [&] {  // with memory, the end of the step has others
+  const auto present_moments = [&] {
     const std::span<const double> moments = mobility.moments();
-    return scene.scene.memory ? std::vector<double>{} : std::vector(moments.begin(), moments.end());
+    return std::vector(moments.begin(), moments.end());
   };
   struct Direction {
     Beads forces, velocities, left_hand_side;  ///< p, mu p and p + D mu p; the p + D mu p are orthonormal
@@ -81,7 +81,7 @@ ImplicitStepResult solve_linearised(const StepScene& scene, Mobility& mobility, 
   };
   std::deque<Direction> directions;
   Beads forces = balance.initial_forces();
-  Beads velocities = product(forces, FlowPart::all);
+  Beads velocities = product(forces, FlowPart::all, {.moments = step.moments});
   if (step.noise) flat(velocities) += flat(step.noise->velocities);
   result.moments = present_moments();
   Beads residual = balance.residual(forces, velocities);
@@ -106,7 +106,11 @@ ImplicitStepResult solve_linearised(const StepScene& scene, Mobility& mobility, 
       break;
     }
     Direction next{.forces = std::move(own), .velocities = {}, .left_hand_side = {}, .moments = {}};
-    next.velocities = product(next.forces, FlowPart::forces);
+    // The error of a correction matters relative to all velocities.
+    constexpr double largest_error = 0.03;
+    const double looseness = std::clamp(residual_share * speed / missing, 1.0,
+                                        std::max(1.0, largest_error / scene.scene.tolerance));
+    next.velocities = product(next.forces, FlowPart::forces, {.moments = {}, .looseness = looseness});
     next.moments = present_moments();
     next.left_hand_side = balance.left_hand_side(next.forces, next.velocities);
     for (const Direction& old : directions) {
@@ -139,7 +143,8 @@ ImplicitStepResult solve_linearised(const StepScene& scene, Mobility& mobility, 
 ImplicitStepResult solve_implicit_step(const StepScene& scene, Mobility& mobility, const StepStart& step) {
   Beads expansion_point = step.expansion_point;
   ImplicitStepResult result{.distant = step.distant};
-  const StepStart at{step.rule, step.positions, step.history, expansion_point, result.distant, step.noise};
+  const StepStart at{step.rule,      step.positions, step.history, expansion_point,
+                     result.distant, step.noise,     step.moments};
   ProductWork work;
   for (int round = 1;; ++round) {
     std::optional<ImplicitBalance> balance;

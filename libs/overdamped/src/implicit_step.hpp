@@ -40,7 +40,7 @@ struct ImplicitStepResult {
   Beads velocities{};     ///< v, velocities of the beads at the end of the step
   Beads forces{};         ///< F, forces of the beads on the fluid at the end of the step
   /// Moments that the beads exert on the fluid (Mobility::moments()) at the end of the step, up to the
-  /// residual; without memory.
+  /// residual.
   std::vector<double> moments{};
   Beads distant{};        ///< d, velocities of the beads in the flow of all other swimmers
   ProductWork work{};     ///< of all mobility products evaluated

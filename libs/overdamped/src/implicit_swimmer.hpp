@@ -69,6 +69,8 @@ struct StepStart {
   const Beads& expansion_point;  ///< u*, at first a guess of the displacements u [length]
   const Beads& distant;  ///< d, velocities in the flow of all other swimmers, and by noise [length/time]
   const StepNoise* noise = nullptr;  ///< null: none
+  /// Guess of the moments on the fluid at the end of the step (Mobility::moments()); empty: none.
+  std::span<const double> moments{};
 };
 
 /// Contacts of a swimmer at u*: with itself, and external ones with other swimmers and with images.

@@ -96,9 +96,9 @@ std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
 /// Solves one step from the present positions. Adds the mobility products that this needs to state_.work.
 ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const StepHistory& history,
                                                 const Beads& guess, const Beads& distant,
-                                                const StepNoise* noise) {
+                                                const StepNoise* noise, std::span<const double> moments) {
   ImplicitStepResult result = solve_implicit_step(
-      *step_scene_, mobility_, {rule, state_.positions[0], history, guess, distant, noise});
+      *step_scene_, mobility_, {rule, state_.positions[0], history, guess, distant, noise, moments});
   state_.work.add(result.work);
   is_converged_ = is_converged_ && result.is_converged;
   return result;
@@ -121,6 +121,7 @@ void OverdampedSystem::solve_initial_velocities() {
     forces_ = balance.residual(nowhere, nowhere);
     add_work(mobility_.start(forces_));
     moments_.assign(mobility_.moments().begin(), mobility_.moments().end());
+    if (scene_.moment_order > 0) state_.moments.fill(moments_);
     return;
   }
   ImplicitStepResult result = solve_step(rule, {nowhere, {}}, nowhere, state_.distant[0]);
@@ -129,6 +130,7 @@ void OverdampedSystem::solve_initial_velocities() {
   if (scene_.thermal_energy > 0) state_.smooth = state_.velocities[0];
   state_.distant[0] = std::move(result.distant);
   moments_ = std::move(result.moments);
+  if (scene_.moment_order > 0 && scene_.thermal_energy == 0) state_.moments.fill(moments_);
   forces_ = std::move(result.forces);
 }
 
@@ -175,12 +177,22 @@ void OverdampedSystem::take_first_step() {
           .distant = extrapolated(&ImplicitStepResult::distant)});
 }
 
+/// Returns the values in the next step, from those now and in earlier steps: by the cubic polynomial closest
+/// to the last six, because that through four would multiply their errors by eight; by a quadratic polynomial
+/// in the first steps.
+template <class Value>
+std::vector<Value> OverdampedSystem::extrapolated(const std::array<std::vector<Value>, 6>& past) const {
+  const auto& [p, p1, p2, p3, p4, p5] = past;
+  if (state_.steps_done < 6) return weighted_sum<Value>({{3, &p}, {-3, &p1}, {1, &p2}});
+  return weighted_sum<Value>(
+      {{8. / 3, &p}, {-4. / 3, &p1}, {-4. / 3, &p2}, {1. / 3, &p3}, {4. / 3, &p4}, {-2. / 3, &p5}});
+}
+
 /// Takes one step by the backward difference formula of third order. It uses displacements from the present
 /// positions, because coordinates may be large and would lose significance.
 void OverdampedSystem::take_bdf_step() {
   const auto& [x, x1, x2] = state_.positions;
   const auto& [v, v1, v2] = state_.velocities;
-  const auto& [d, d1, d2] = state_.distant;
   const double h = scene_.step;
   const Beads u1 = weighted_sum<Vec3>({{1, &x1}, {-1, &x}}), u2 = weighted_sum<Vec3>({{1, &x2}, {-1, &x}});
   const StepRule rule{.weight = 11.0 / 6, .span = h, .time = time() + h};
@@ -190,12 +202,9 @@ void OverdampedSystem::take_bdf_step() {
   if (scene_.memory) history.velocities = weighted_sum<Vec3>({{3, &v}, {-1.5, &v1}, {1.0 / 3, &v2}});
   ImplicitStepResult result =
       solve_step(rule, history, weighted_sum<Vec3>({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),
-                 weighted_sum<Vec3>({{3, &d}, {-3, &d1}, {1, &d2}}));
+                 extrapolated(state_.distant), nullptr, extrapolated(state_.moments));
   state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
-  if (scene_.memory) {
-    add_work(mobility_.end_step(result.forces, beadswim::mean_flow(*step_scene_, result.velocities)));
-    result.moments.assign(mobility_.moments().begin(), mobility_.moments().end());
-  }
+  if (scene_.memory) mobility_.end_step(result.moments, beadswim::mean_flow(*step_scene_, result.velocities));
   accept(std::move(result));
 }
 
@@ -246,7 +255,7 @@ Vec3 OverdampedSystem::momentum() const {
 }
 
 void OverdampedSystem::accept(ImplicitStepResult step) {
-  const auto keep = [](auto& past, Beads now) {
+  const auto keep = [](auto& past, auto now) {
     std::rotate(past.begin(), past.end() - 1, past.end());
     past[0] = std::move(now);
   };
@@ -254,11 +263,12 @@ void OverdampedSystem::accept(ImplicitStepResult step) {
   keep(state_.velocities, std::move(step.velocities));
   keep(state_.distant, std::move(step.distant));
   moments_ = std::move(step.moments);
+  if (!state_.moments[0].empty()) keep(state_.moments, moments_);
   forces_ = std::move(step.forces);
   ++state_.steps_done;
   update_extremes();
   check_faults();
-  if (!fault_ && must_check_mobility()) fault_ = mobility_fault();
+  if (!fault_ && (must_check_mobility() || !is_converged_)) fault_ = mobility_fault();
   if (!is_converged_ && !fault_) fault_ = {.kind = FaultKind::not_converged, .step = state_.steps_done};
 }
 
@@ -358,6 +368,8 @@ void OverdampedSystem::restore(OverdampedState state, std::span<const double> me
   if (!std::ranges::all_of(state.positions, has_all_beads) ||
       !std::ranges::all_of(state.velocities, has_all_beads) ||
       !std::ranges::all_of(state.distant, has_all_beads) ||
+      !std::ranges::equal(state.moments, state_.moments, {}, &std::vector<double>::size,
+                          &std::vector<double>::size) ||
       state.lowest_mode.size() != state_.lowest_mode.size() || state.smooth.size() != state_.smooth.size())
     throw DataError("the number of beads in the checkpoint differs from the number of beads in the layout");
   state_ = std::move(state);

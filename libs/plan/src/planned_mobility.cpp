@@ -64,6 +64,7 @@ StepCost measured_cost(const OverdampedScene& scene, const Communicator& communi
   const Beads places = start_positions(scene);
   Beads forces(places.size()), velocities(places.size());
   Mobility product(mobility_scene(scene), places, communicator);
+  std::vector<double> moments;  // of the last product, from which the next one begins
   int count = 0;
   StepCost cost;
   const auto evaluate = [&] {
@@ -72,13 +73,14 @@ StepCost measured_cost(const OverdampedScene& scene, const Communicator& communi
       forces[b] = Vec3::UnitX() * (b % 3 == 1 ? -2 : 1) * factor;
     const double begin = MPI_Wtime();
     product.set_positions(places);
-    product.apply(forces, velocities, FlowPart::all);
+    product.apply(forces, velocities, FlowPart::all, {.moments = moments});
+    moments.assign(product.moments().begin(), product.moments().end());
     const double middle = MPI_Wtime();
-    if (scene.memory) product.end_step(forces, Vec3::Zero());
+    if (scene.memory) product.end_step(product.moments(), Vec3::Zero());
     cost.product += middle - begin;
     cost.end_of_step += MPI_Wtime() - middle;
   };
-  evaluate();  // the first products also prepare tables, and moments from which later ones begin
+  evaluate();  // the first products also prepare tables
   if (scene.memory) evaluate();
   const auto measure = [&](int products) {
     cost = {};

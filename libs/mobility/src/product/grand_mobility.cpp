@@ -138,6 +138,11 @@ void GrandMobility::apply(std::span<const double> moments, std::span<double> pro
   if (wall_) wall_->add_flows(sources, at_mirrors, flows, communicator_);
   sum_over_ranks(flows, communicator_);
   for (std::size_t b = 0; b < radii_.size(); ++b) {
+    if (order() == 0) {
+      const double own = self_[b]->beside_mesh(0, 0);
+      for (int c = 0; c < 3; ++c) projections[3 * b + c] = flows[3 * b + c] + own * moments[3 * b + c];
+      continue;
+    }
     project_flow(order(), radii_[b], &flows[elements * b], &projections[count * b]);
     Eigen::Map<Eigen::VectorXd>(&projections[count * b], count).noalias() +=
         self_[b]->beside_mesh * Eigen::Map<const Eigen::VectorXd>(&moments[count * b], count);

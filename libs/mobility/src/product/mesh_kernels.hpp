@@ -9,31 +9,36 @@ namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 /// `size`: points in a row of a padded window.
 template <int size, int order>
 void spread_of(const WindowMesh& mesh, const WindowBeads& beads, const double* sources, double* const* onto) {
-  constexpr int count = derivative_count(order);
-  constexpr int quads = size / quad;
+  constexpr int count = derivative_count(order), quads = size / quad;
   Window<size, order> w;
-  for (long b = 0; b < beads.count; ++b) {
+  for (long b = 0; b < beads.count; ++b, sources += 3 * count) {
     w.set_position(mesh, beads.positions + 3 * b);
     const bool wraps = w.wraps(mesh);
-    for (int c = 0; c < 3; ++c) {
-      double source[count];
-      for (int d = 0; d < count; ++d) source[d] = sources[(3 * b + c) * count + d];
-      for (int p = 0; p < mesh.window; ++p) {
-        if (w.planes[p] < 0) continue;
-        for (int q = 0; q < mesh.window; ++q) {
+    Quad z[order + 1][quads];  // weights along z and their derivatives
+    for (int k = 0; k <= order; ++k)
+      for (int g = 0; g < quads; ++g) z[k][g] = load_as<Quad>(w.weight[k][2] + quad * g);
+    for (int p = 0; p < mesh.window; ++p) {
+      if (w.planes[p] < 0) continue;
+      for (int q = 0; q < mesh.window; ++q) {
+        const long start = w.row(mesh, p, q);
+        double weights[order + 1][order + 1];
+        for (int i = 0; i <= order; ++i)
+          for (int j = 0; i + j <= order; ++j) weights[i][j] = w.weight[i][0][p] * w.weight[j][1][q];
+#pragma GCC unroll 3
+        for (int c = 0; c < 3; ++c) {
           double along[order + 1];  // factors of the weights along z and of their derivatives
 #pragma GCC unroll 10
           for (int d = 0; d < count; ++d) {
             const auto& [i, j, k] = derivative_table.degree[d];
-            const double factor = source[d] * w.weight[i][0][p] * w.weight[j][1][q];
+            const double factor = sources[c * count + d] * weights[i][j];
             along[k] = i + j == 0 ? factor : along[k] + factor;
           }
           const auto values = [&](int g) __attribute__((always_inline)) {
-            Quad sum = along[0] * load_as<Quad>(w.weight[0][2] + quad * g);
-            for (int k = 1; k <= order; ++k) sum += along[k] * load_as<Quad>(w.weight[k][2] + quad * g);
+            Quad sum = along[0] * z[0][g];
+            for (int k = 1; k <= order; ++k) sum += along[k] * z[k][g];
             return sum;
           };
-          double* const row = onto[c] + w.row(mesh, p, q);
+          double* const row = onto[c] + start;
           if (wraps) {
             double at_columns[size];
             for (int g = 0; g < quads; ++g) store_as(at_columns + quad * g, values(g));
@@ -41,7 +46,7 @@ void spread_of(const WindowMesh& mesh, const WindowBeads& beads, const double* s
             for (int s = 0; s < mesh.window; ++s) row[w.columns[s]] += at_columns[s];
           } else {
             double* const at = row + w.first[2];
-#pragma GCC unroll 7
+#pragma GCC unroll 5
             for (int g = 0; g < quads; ++g) store_as(at + quad * g, load_as<Quad>(at + quad * g) + values(g));
           }
         }
@@ -50,55 +55,68 @@ void spread_of(const WindowMesh& mesh, const WindowBeads& beads, const double* s
   }
 }
 
+/// Gathers `together` components of the values at one bead at once; more need too many registers for high
+/// orders.
+template <int size, int order, int together>
+BEADSWIM_KERNEL void gather_components(const WindowMesh& mesh, const Window<size, order>& w,
+                                       const double* const* from, double* flow) {
+  constexpr int count = derivative_count(order), pairs = (order + 1) * (order + 2) / 2, quads = size / quad;
+  const auto across = [](int i, int j) { return i * (2 * order + 3 - i) / 2 + j; };
+  const bool wraps = w.wraps(mesh);
+  // Sums over the window points of the first two axes, weighted by the derivatives (i, j) along them.
+  Quad sums[together][pairs][quads]{};
+  double at_columns[size]{};  // values of a row that wraps
+  for (int p = 0; p < mesh.window; ++p) {
+    if (w.planes[p] < 0) continue;
+    for (int q = 0; q < mesh.window; ++q) {
+      const long start = w.row(mesh, p, q);
+      double weights[pairs];
+      for (int i = 0; i <= order; ++i)
+        for (int j = 0; j <= order - i; ++j) weights[across(i, j)] = w.weight[i][0][p] * w.weight[j][1][q];
+#pragma GCC unroll 3
+      for (int c = 0; c < together; ++c) {
+        const double* const row = from[c] + start;
+        const double* at = row + w.first[2];
+        if (wraps) {
+#pragma GCC unroll 1
+          for (int s = 0; s < mesh.window; ++s) at_columns[s] = row[w.columns[s]];
+          at = at_columns;
+        }
+#pragma GCC unroll 5
+        for (int g = 0; g < quads; ++g) {
+          const Quad values = load_as<Quad>(at + quad * g);
+#pragma GCC unroll 15
+          for (int k = 0; k < pairs; ++k) sums[c][k][g] += weights[k] * values;
+        }
+      }
+    }
+  }
+  // The window depends on mesh point minus bead position: odd derivatives by the bead position have the
+  // opposite sign.
+  for (int c = 0; c < together; ++c) {
+    for (int d = 0; d < count; ++d) {
+      const auto& [i, j, k] = derivative_table.degree[d];
+      Quad along{};
+      for (int g = 0; g < quads; ++g)
+        along += sums[c][across(i, j)][g] * load_as<Quad>(w.weight[k][2] + quad * g);
+      const double sum = (along[0] + along[1]) + (along[2] + along[3]);
+      flow[c * count + d] += derivative_table.order[d] % 2 == 0 ? sum : -sum;
+    }
+  }
+}
+
 template <int size, int order>
 void gather_of(const WindowMesh& mesh, const WindowBeads& beads, int components, const double* const* from,
                double* flows) {
-  constexpr int count = derivative_count(order), pairs = (order + 1) * (order + 2) / 2;
-  const auto across = [](int i, int j) { return i * (2 * order + 3 - i) / 2 + j; };
-  constexpr int quads = size / quad;
+  constexpr int count = derivative_count(order);
   Window<size, order> w;
-  double at_columns[size]{};  // values of a row that wraps
-  for (long b = 0; b < beads.count; ++b) {
+  for (long b = 0; b < beads.count; ++b, flows += components * count) {
     w.set_position(mesh, beads.positions + 3 * b);
-    const bool wraps = w.wraps(mesh);
-    for (int c = 0; c < components; ++c) {
-      // Sums over the window points of the first two axes, weighted by the derivatives (i, j) along them.
-      Quad sums[pairs][quads]{};
-      for (int p = 0; p < mesh.window; ++p) {
-        if (w.planes[p] < 0) continue;
-        for (int q = 0; q < mesh.window; ++q) {
-          const double* const row = from[c] + w.row(mesh, p, q);
-          const double* at = row + w.first[2];
-          if (wraps) {
-#pragma GCC unroll 1
-            for (int s = 0; s < mesh.window; ++s) at_columns[s] = row[w.columns[s]];
-            at = at_columns;
-          }
-          Quad values[quads];
-#pragma GCC unroll 7
-          for (int g = 0; g < quads; ++g) values[g] = load_as<Quad>(at + quad * g);
-#pragma GCC unroll 5
-          for (int i = 0; i <= order; ++i) {
-#pragma GCC unroll 5
-            for (int j = 0; j <= order - i; ++j) {
-              const double weight = w.weight[i][0][p] * w.weight[j][1][q];
-#pragma GCC unroll 7
-              for (int g = 0; g < quads; ++g) sums[across(i, j)][g] += weight * values[g];
-            }
-          }
-        }
-      }
-      // The window depends on mesh point minus bead position: odd derivatives by the bead position have the
-      // opposite sign.
-      double* const flow = flows + (components * b + c) * count;
-      for (int d = 0; d < count; ++d) {
-        const auto& [i, j, k] = derivative_table.degree[d];
-        Quad along{};
-        for (int g = 0; g < quads; ++g)
-          along += sums[across(i, j)][g] * load_as<Quad>(w.weight[k][2] + quad * g);
-        const double sum = (along[0] + along[1]) + (along[2] + along[3]);
-        flow[d] += derivative_table.order[d] % 2 == 0 ? sum : -sum;
-      }
+    if (components == 3 && order <= 1) {
+      gather_components<size, order, 3>(mesh, w, from, flows);
+    } else {
+      for (int c = 0; c < components; ++c)
+        gather_components<size, order, 1>(mesh, w, from + c, flows + c * count);
     }
   }
 }

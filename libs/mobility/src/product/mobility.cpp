@@ -147,10 +147,8 @@ struct Mobility::Parts {
   std::optional<GrandMobility> matrix_with_stresslets{};  ///< nullopt until forces induce stresslets
   bool has_stresslets = false;  ///< true if forces at the positions induce stresslets
   std::vector<Vec3> positions{};
-  double background_power = 0;           ///< power of the background flow's strain on all spheres, each alone
-  std::vector<double> moment_history{};  ///< moments at the end of the last step, and of the step before
+  double background_power = 0;  ///< power of the background flow's strain on all spheres, each alone
   std::vector<double> applied_moments{};  ///< Mobility::moments()
-  std::vector<double> moments_in_step{};  ///< moments that the last solution with memory has found
 
   std::size_t size() const { return matrix.moments_per_sphere() * scene.radii.size(); }
   bool has_moments() const { return highest_moment(scene) > 0; }
@@ -162,10 +160,9 @@ struct Mobility::Parts {
   double power(std::span<const Vec3> forces, std::span<const Vec3> velocities, FlowPart part) const;
   void set_forces(std::span<const Vec3> forces, std::vector<double>& moments) const;
   ProductWork solve(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part,
-                    std::vector<double>& moments);
+                    std::vector<double>& moments, double looseness = 1);
   ProductWork iterate(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part,
-                      std::vector<double> flow, std::vector<double>& moments);
-  std::vector<double> moments_at_end_of_step(std::span<const Vec3> forces, ProductWork& work);
+                      std::vector<double> flow, std::vector<double>& moments, double looseness = 1);
 };
 
 Mobility::Mobility(MobilityScene scene, std::span<const Vec3> positions, const Communicator& communicator) {
@@ -224,20 +221,20 @@ std::vector<double> Mobility::Parts::projected_background(std::span<const Vec3> 
 /// Returns the power of the forces, to which the residual is compared. With memory of the fluid or background
 /// flow, which can oppose the forces, it is the mean of F^2 mu and v^2/mu with the self-mobility mu of each
 /// sphere, which is at least as large. v is then relative to the background flow, whose dissipation by each
-/// sphere alone is added. The same without forces, whose flow is given.
+/// sphere alone is added. The same without forces, whose flow is given, and for moments of a guess that oppose
+/// the forces.
 double Mobility::Parts::power(std::span<const Vec3> forces, std::span<const Vec3> velocities,
                               FlowPart part) const {
   const bool has_flow = has_background(part);
-  const bool is_free = std::ranges::all_of(forces, [](const Vec3& force) { return force.isZero(0); });
-  double sum = has_flow ? background_power : 0;
+  double sum = 0;
+  if (!matrix.has_memory() && !has_flow)
+    for (std::size_t b = 0; b < forces.size(); ++b) sum += forces[b].dot(velocities[b]);
+  if (sum > 0) return sum;
+  sum = has_flow ? background_power : 0;
   for (std::size_t b = 0; b < forces.size(); ++b) {
-    if (matrix.has_memory() || has_flow || is_free) {
-      const double mobility = self_mobility(1, scene.viscosity) / scene.radii[b];
-      const Vec3 relative = has_flow ? Vec3(velocities[b] - scene.flow.at(positions[b])) : velocities[b];
-      sum += (mobility * forces[b].squaredNorm() + relative.squaredNorm() / mobility) / 2;
-    } else {
-      sum += forces[b].dot(velocities[b]);
-    }
+    const double mobility = self_mobility(1, scene.viscosity) / scene.radii[b];
+    const Vec3 relative = has_flow ? Vec3(velocities[b] - scene.flow.at(positions[b])) : velocities[b];
+    sum += (mobility * forces[b].squaredNorm() + relative.squaredNorm() / mobility) / 2;
   }
   return sum;
 }
@@ -249,7 +246,7 @@ void Mobility::Parts::set_forces(std::span<const Vec3> forces, std::vector<doubl
 
 /// Finds the velocities, beginning with the higher moments in `moments`, and returns all moments there.
 ProductWork Mobility::Parts::solve(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part,
-                                   std::vector<double>& moments) {
+                                   std::vector<double>& moments, double looseness) {
   if (near_map)
     moments = near_map->moments_of(forces);
   else
@@ -267,7 +264,7 @@ ProductWork Mobility::Parts::solve(std::span<const Vec3> forces, std::span<Vec3>
     add_velocities(1, background, velocities);
   }
   ProductWork work{.products = 1};
-  if (has_moments()) work = iterate(forces, velocities, part, std::move(flow), moments);
+  if (has_moments()) work = iterate(forces, velocities, part, std::move(flow), moments, looseness);
   // Roundoff may differ between processors, so all ranks use the velocities of rank 0.
   if (has_moments() || near_map)
     broadcast_doubles(velocities.data()->data(), 3 * velocities.size(), communicator);
@@ -294,7 +291,8 @@ constexpr int max_iterations = 100;
 /// Finds the higher moments. `flow`: projections of the flow of the forces and of the moments at the
 /// beginning.
 ProductWork Mobility::Parts::iterate(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part,
-                                     std::vector<double> flow, std::vector<double>& moments) {
+                                     std::vector<double> flow, std::vector<double>& moments,
+                                     double looseness) {
   // Roundoff may differ between processors, so all ranks use the numbers of rank 0.
   const auto from_root = [&](double value) {
     broadcast_doubles(&value, 1, communicator);
@@ -307,7 +305,8 @@ ProductWork Mobility::Parts::iterate(std::span<const Vec3> forces, std::span<Vec
   cg.square = from_root(dot(cg.residual, cg.step));
   ProductWork work{.products = 1};
   for (;; ++work.iterations) {
-    work.residual = cg.square == 0 ? 0 : std::sqrt(cg.square / from_root(power(forces, velocities, part)));
+    work.residual =
+        cg.square == 0 ? 0 : std::sqrt(cg.square / from_root(power(forces, velocities, part))) / looseness;
     if (!(work.residual > residual_share * scene.tolerance)) {
       work.is_converged = !std::isnan(work.residual);
       break;
@@ -330,20 +329,15 @@ ProductWork Mobility::Parts::iterate(std::span<const Vec3> forces, std::span<Vec
   return work;
 }
 
-ProductWork Mobility::apply(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part) {
+ProductWork Mobility::apply(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part,
+                            const MomentGuess& guess) {
   check_size("forces", forces.size(), parts_->scene.radii.size());
   check_size("velocities", velocities.size(), parts_->scene.radii.size());
   std::vector<double> moments(parts_->size(), 0.0);
-  if (part == FlowPart::forces || !parts_->matrix.has_memory()) {
-    const ProductWork work = parts_->solve(forces, velocities, part, moments);
-    parts_->applied_moments = std::move(moments);
-    return work;
-  }
-  const std::vector<double>& history = parts_->moment_history;
-  for (std::size_t k = 0; 2 * k < history.size(); ++k)  // extrapolated from earlier steps
-    moments[k] = 2 * history[k] - history[moments.size() + k];
-  parts_->moments_in_step = std::move(moments);
-  return parts_->solve(forces, velocities, part, parts_->moments_in_step);
+  if (guess.moments.size() == moments.size()) std::ranges::copy(guess.moments, moments.begin());
+  const ProductWork work = parts_->solve(forces, velocities, part, moments, guess.looseness);
+  parts_->applied_moments = std::move(moments);
+  return work;
 }
 
 ProductWork Mobility::move_in_flow(std::span<const double> projections, std::span<Vec3> velocities) {
@@ -397,37 +391,17 @@ void Mobility::project_flow_of(std::span<const double> moments, std::span<double
   parts_->matrix.apply(moments, projections, FlowPart::forces);
 }
 
-/// Solves for the moments at the end of a time step. Returns them, and adds the work to `work`.
-std::vector<double> Mobility::Parts::moments_at_end_of_step(std::span<const Vec3> forces, ProductWork& work) {
-  check_size("forces", forces.size(), scene.radii.size());
-  std::vector<double> moments = moments_in_step;
-  moments.resize(size(), 0.0);
-  if (!has_moments()) {
-    set_forces(forces, moments);
-    return moments;
-  }
-  std::vector<Vec3> velocities(forces.size());
-  work.add(solve(forces, velocities, FlowPart::all, moments));
-  if (moment_history.empty()) moment_history = moments;
-  moment_history.resize(moments.size());
-  moment_history.insert(moment_history.begin(), moments.begin(), moments.end());
-  return moments;
-}
-
 ProductWork Mobility::start(std::span<const Vec3> forces) {
-  ProductWork work;
-  if (!parts_->matrix.has_memory()) return work;
-  parts_->applied_moments = parts_->moments_at_end_of_step(forces, work);
+  if (!parts_->matrix.has_memory()) return {};
+  std::vector<Vec3> velocities(forces.size());
+  const ProductWork work = apply(forces, velocities, FlowPart::all);
   parts_->matrix.start(parts_->applied_moments);
   return work;
 }
 
-ProductWork Mobility::end_step(std::span<const Vec3> forces, const Vec3& mean_flow) {
-  ProductWork work;
-  if (!parts_->matrix.has_memory()) return work;
-  parts_->applied_moments = parts_->moments_at_end_of_step(forces, work);
-  parts_->matrix.end_step(parts_->applied_moments, mean_flow);
-  return work;
+void Mobility::end_step(std::span<const double> moments, const Vec3& mean_flow) {
+  check_size("moments", moments.size(), parts_->size());
+  if (parts_->matrix.has_memory()) parts_->matrix.end_step(moments, mean_flow);
 }
 
 namespace {
@@ -442,8 +416,8 @@ std::vector<int> counts_by_rank(const std::vector<double>& own_modes, const Comm
 
 }  // namespace
 
-// The memory is a list of the modes of all ranks, of the flow that the mesh does not resolve, and of the
-// moments in earlier steps. All ranks have the last two.
+// The memory is a list of the modes of all ranks, and of the flow that the mesh does not resolve, which all
+// ranks have.
 std::vector<double> Mobility::gather_memory() const {
   const Communicator& communicator = parts_->communicator;
   const std::vector<double> modes = parts_->matrix.modes().state();
@@ -454,8 +428,8 @@ std::vector<double> Mobility::gather_memory() const {
   MPI_Gatherv(modes.data(), static_cast<int>(modes.size()), MPI_DOUBLE, memory.data(), counts.data(),
               starts.data(), MPI_DOUBLE, 0, communicator.get());
   if (!communicator.is_root()) return {};
-  for (const std::vector<double>& list : {parts_->matrix.unresolved().state(), parts_->moment_history})
-    memory.insert(memory.end(), list.begin(), list.end());
+  const std::vector<double>& unresolved = parts_->matrix.unresolved().state();
+  memory.insert(memory.end(), unresolved.begin(), unresolved.end());
   return memory;
 }
 
@@ -464,15 +438,14 @@ void Mobility::restore_memory(std::span<const double> memory) {
   const auto own = counts.begin() + parts_->communicator.rank();
   const std::size_t start = std::reduce(counts.begin(), own), end = std::reduce(counts.begin(), counts.end());
   const std::size_t spheres = parts_->matrix.unresolved().state().size();
-  if (memory.size() != end + spheres + parts_->moment_history.size())
+  if (memory.size() != end + spheres)
     throw SolverError(
         fmt::format("the memory of the fluid in the checkpoint differs in size from that of the scene; begin "
                     "without {}",
                     Setting::restart));
   parts_->matrix.modes().restore(memory.subspan(start, *own));
-  const auto unresolved = memory.subspan(end, spheres), moments = memory.subspan(end + spheres);
+  const auto unresolved = memory.subspan(end);
   parts_->matrix.unresolved().restore({unresolved.begin(), unresolved.end()});
-  parts_->moment_history.assign(moments.begin(), moments.end());
 }
 
 }  // namespace beadswim

@@ -117,7 +117,7 @@ inline Vec3 nearest_separation(const Vec3& from, const Vec3& to, const std::opti
   for (int a = 0; a < 3 && box; ++a) {
     if (!box->is_periodic(a)) continue;
     const double length = box->lengths[a];
-    separation[a] -= length * std::round(separation[a] / length);
+    if (std::abs(separation[a]) > length / 2) separation[a] -= length * std::round(separation[a] / length);
   }
   return separation;
 }

@@ -84,6 +84,12 @@ struct ProductWork {
   }
 };
 
+/// Where the iteration for force moments begins, and where it ends.
+struct MomentGuess {
+  std::span<const double> moments{};  ///< as those of Mobility::moments(); empty: 0
+  double looseness = 1;               ///< factor on the accepted error, 1 or more
+};
+
 /// Spheres that move in the fluid; lists of all spheres.
 struct MovingSpheres {
   std::span<const Vec3> positions;   ///< [length]
@@ -121,9 +127,9 @@ class Mobility {
   /// ranks, equal arguments give the same bits. On different numbers of ranks, results agree to roundoff, and
   /// with force moments to the tolerance.
   ProductWork apply(std::span<const Vec3> forces, std::span<Vec3> velocities,
-                    FlowPart part = FlowPart::forces);
-  /// Returns the moments that the spheres exert on the fluid by the forces of the last apply(), start() or
-  /// end_step(): equally many numbers per sphere, first its force (force_moments.hpp). With `rpy+near` these
+                    FlowPart part = FlowPart::forces, const MomentGuess& guess = {});
+  /// Returns the moments that the spheres exert on the fluid by the forces of the last apply() or
+  /// start(): equally many numbers per sphere, first its force (force_moments.hpp). With `rpy+near` these
   /// are the forces and stresslets after the map.
   std::span<const double> moments() const;
   /// Returns the flow of `spheres` at `points`, which exert no force, with the background flow and the memory
@@ -140,9 +146,9 @@ class Mobility {
 
   /// Sets the fluid at rest. The forces begin to act. No effect without memory.
   ProductWork start(std::span<const Vec3> forces);
-  /// Ends a time step, at whose end the spheres exert `forces` on the fluid. `mean_flow`: mean velocity of
-  /// the fluid, with the insides of the spheres. Only with memory.
-  ProductWork end_step(std::span<const Vec3> forces, const Vec3& mean_flow);
+  /// Ends a time step, at whose end the spheres exert `moments` on the fluid, those of moments().
+  /// `mean_flow`: mean velocity of the fluid, with the insides of the spheres. No effect without memory.
+  void end_step(std::span<const double> moments, const Vec3& mean_flow);
 
   /// Returns the memory of the fluid on rank 0, and an empty list on other ranks. Only with memory.
   std::vector<double> gather_memory() const;

@@ -65,9 +65,12 @@ struct OverdampedState {
   double checked_gap = 0, checked_height = 0;
   std::array<Beads, 3> positions;   ///< positions now, one step ago and two steps ago [length]
   std::array<Beads, 3> velocities;  ///< velocities now, one step ago and two steps ago [length/time]
-  /// Part of the velocities of the beads that is due to the flow of all other swimmers: now, one step and two
+  /// Part of the velocities of the beads that is due to the flow of all other swimmers: now, and one to five
   /// steps ago [length/time].
-  std::array<Beads, 3> distant;
+  std::array<Beads, 6> distant;
+  /// Moments that the beads exert on the fluid now, and one to five steps ago, if they are found by iteration
+  /// and there is no noise; otherwise empty.
+  std::array<std::vector<double>, 6> moments;
   /// Eigenvector of the smallest eigenvalue of the mobility of oseen at its last check; other models: empty.
   Beads lowest_mode;
   /// With thermal noise: velocities in the last step without those of the noise; otherwise empty.
@@ -92,6 +95,7 @@ struct OverdampedState {
     visit("positions", state.positions);
     visit("velocities", state.velocities);
     visit("distant", state.distant);
+    visit("moments", state.moments);
     visit("lowest_mode", state.lowest_mode);
     visit("smooth", state.smooth);
   }
@@ -155,11 +159,14 @@ class OverdampedSystem {
 
  private:
   ImplicitStepResult solve_step(const StepRule& rule, const StepHistory& history, const Beads& guess,
-                                const Beads& distant, const StepNoise* noise = nullptr);
+                                const Beads& distant, const StepNoise* noise = nullptr,
+                                std::span<const double> moments = {});
   void add_work(const ProductWork& work);
   void solve_initial_velocities();
   bool moves_far(const Beads& from, const Beads& to) const;
   ImplicitStepResult take_euler_steps(int parts);
+  template <class Value>
+  std::vector<Value> extrapolated(const std::array<std::vector<Value>, 6>& past) const;
   void take_first_step();
   void take_bdf_step();
   void take_noisy_step();
