@@ -186,7 +186,16 @@ TEST(Mobility, IsReciprocalAndDissipates) {
 TEST(Mobility, RepeatsItsBits) {
   const direct::Spheres spheres = random_spheres(1200, {40, 40, 40}, 1, false);
   const MobilityScene scene{MobilityModel::rpy, eta, {}, spheres.radii, 1e-4};
-  EXPECT_EQ(product(scene, spheres), product(scene, spheres));
+  const direct::Vectors first = product(scene, spheres);
+  EXPECT_EQ(product(scene, spheres), first);
+  // Later products at the same positions have kept the pairs of spheres.
+  const Communicator world(MPI_COMM_WORLD);
+  Mobility mobility(scene, spheres.places, world);
+  direct::Vectors again(first.size());
+  for (int n = 0; n < 4; ++n) {
+    mobility.apply(spheres.forces, again);
+    EXPECT_EQ(again, first) << n;
+  }
 }
 
 TEST(Mobility, RefusesWhatItCannotSum) {

@@ -44,19 +44,19 @@ double mesh_bytes(const OverdampedScene& scene) {
   return bytes_per_point * mesh_points(scene);
 }
 
-/// Returns the cost with memory of the fluid, without measuring it on a large mesh. The numbers are from runs
-/// of 540 and 11,520 swimmers (docs/results/speed-against-error.sh) and agree within 25 % with the products
-/// that beadswim-bench measured for 11,520 to 103,680 beads (docs/performance.md).
+/// Returns the cost with memory of the fluid, without measuring it on a large mesh. The numbers agree within
+/// 30 % with products and cycles of 34,560 beads, which beadswim-bench and runs have measured
+/// (docs/performance.md).
 StepCost estimated_cost(const OverdampedScene& scene) {
-  // Computing time of one sum, per mesh point and field, and per bead [core-seconds]. It increases with the
-  // size of the mesh, which exceeds the caches.
-  const double seconds_per_point = 4.5e-8 * std::pow(mesh_points(scene) / 2e5, 0.15);
-  constexpr std::array<double, 3> seconds_per_bead{2e-6, 2e-5, 5e-5};
-  const double sum = seconds_per_point * mesh_points(scene) * mesh_fields(scene) +
+  // Computing time of one sum, per point of the mesh of the Reynolds stress and field, and per bead
+  // [core-seconds]. It increases with the size of the mesh, which exceeds the caches.
+  const double points = mesh_points(scene), growth = std::pow(points / 2e5, 0.15);
+  constexpr std::array<double, 3> seconds_per_bead{9e-7, 5e-6, 1.5e-5};
+  const double sum = 1.1e-8 * growth * points * mesh_fields(scene) +
                      seconds_per_bead[scene.moment_order] * static_cast<double>(bead_radii(scene).size());
-  // Moments are found by iteration, in each product and at the end of each step.
-  if (scene.moment_order > 0) return {.product = 1.5 * sum, .end_of_step = 1.7 * sum};
-  return {.product = sum, .end_of_step = (scene.memory->has_reynolds_stress ? 1.3 : 0.6) * sum};
+  // Moments are found by iteration. At the end of a step, forces and moments are transformed once more.
+  const double stress = scene.memory->has_reynolds_stress ? 3e-8 * growth * points : 0;
+  return {.product = (scene.moment_order > 0 ? 1.7 : 1) * sum, .end_of_step = 0.5 * sum + stress};
 }
 
 /// Measures the cost of products with forces that oscillate. Collective.
@@ -103,12 +103,11 @@ StepCost measured_cost(const OverdampedScene& scene, const Communicator& communi
 void set_cost(PlannedRun& run, const OverdampedSetup& setup, long steps_done,
               const Communicator& communicator) {
   // Counted and measured by docs/results/plan-costs.sh; bytes per bead without moments by beadswim-bench
-  // (docs/performance.md). With moments there are 2.1 products per step, the second mostly without
-  // iterations: with 1.2, the cost of cycles on record is 0.9 to 1 times the expected cost.
+  // (docs/performance.md).
   const bool is_alone = setup.scene.swimmers.size() == 1 && !setup.scene.domain.box,
              has_memory = setup.scene.memory.has_value();
   const double first_products = has_memory ? 6 : is_alone ? 13 : 26;
-  double products_per_step = is_alone ? 1 : 1.5;
+  double products_per_step = is_alone ? 1 : 1.3;
   if (has_memory) products_per_step = setup.scene.moment_order == 0 ? 1.1 : 1.2;
   constexpr double rest_of_step = 1e-5;                             // per swimmer and step [s]
   constexpr double bytes_in_box = 800, bytes_in_open = 3100;        // per bead, including the mesh [byte]

@@ -119,9 +119,9 @@ struct MobilityKernels {
   /// its closest ones. Returns the index at which to continue: `end`, or less if `near` is full.
   int (*find_near_spheres)(const SortedSpheres&, int one, int begin, int end, double cutoff, double close,
                            NearSpheres& near);
-  /// Adds the velocities of sphere `one` and of the other spheres `near` it, but not of its closest ones,
-  /// that their forces cause in both directions. force, velocity: an array of all spheres for each component.
-  void (*pair_velocities)(const PairTable&, const SortedSpheres&, int one, const NearSpheres& near,
+  /// Adds the velocities of sphere `one` and of `count` other spheres, up to NearSpheres::capacity, that
+  /// their forces cause in both directions. force, velocity: an array of all spheres for each component.
+  void (*pair_velocities)(const PairTable&, const SortedSpheres&, int one, int count, const int* others,
                           const double* const* force, double* const* velocity);
   /// Sets the radial functions of all lanes to those of the near part of an Ewald sum. unit:
   /// 1/(8 pi eta).

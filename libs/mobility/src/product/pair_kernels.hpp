@@ -94,7 +94,7 @@ int find_near_spheres(const SortedSpheres& spheres, int one, int begin, int end,
 
 template <int functions>
 BEADSWIM_KERNEL void pair_velocities_of(const PairTable& table, const SortedSpheres& spheres, int one,
-                                        const NearSpheres& near, const double* const* force,
+                                        int count, const int* indices, const double* const* force,
                                         double* const* velocity) {
   const Place place(spheres, one);
   const double* const coefficients = table.coefficients;
@@ -103,8 +103,8 @@ BEADSWIM_KERNEL void pair_velocities_of(const PairTable& table, const SortedSphe
   const double fx = force_x[one], fy = force_y[one], fz = force_z[one];
   double sx = 0, sy = 0, sz = 0, others[3][NearSpheres::capacity];
 #pragma omp simd reduction(+ : sx, sy, sz)
-  for (int t = 0; t < near.count; ++t) {
-    const int other = near.others[t];
+  for (int t = 0; t < count; ++t) {
+    const int other = indices[t];
     double d[3];
     const double r2 = separation(spheres, place.at, place.inverse, other, d);
     const std::int64_t bits = __builtin_bit_cast(std::int64_t, r2);
@@ -142,18 +142,18 @@ BEADSWIM_KERNEL void pair_velocities_of(const PairTable& table, const SortedSphe
     sy += isotropic * gy + back * d[1];
     sz += isotropic * gz + back * d[2];
   }
-  for (int t = 0; t < near.count; ++t)
-    for (int a = 0; a < 3; ++a) velocity[a][near.others[t]] += others[a][t];
+  for (int t = 0; t < count; ++t)
+    for (int a = 0; a < 3; ++a) velocity[a][indices[t]] += others[a][t];
   velocity[0][one] += sx;
   velocity[1][one] += sy;
   velocity[2][one] += sz;
 }
 
-void pair_velocities(const PairTable& table, const SortedSpheres& spheres, int one, const NearSpheres& near,
-                     const double* const* force, double* const* velocity) {
-  table.functions == 2   ? pair_velocities_of<2>(table, spheres, one, near, force, velocity)
-  : table.functions == 4 ? pair_velocities_of<4>(table, spheres, one, near, force, velocity)
-                         : pair_velocities_of<6>(table, spheres, one, near, force, velocity);
+void pair_velocities(const PairTable& table, const SortedSpheres& spheres, int one, int count,
+                     const int* others, const double* const* force, double* const* velocity) {
+  table.functions == 2   ? pair_velocities_of<2>(table, spheres, one, count, others, force, velocity)
+  : table.functions == 4 ? pair_velocities_of<4>(table, spheres, one, count, others, force, velocity)
+                         : pair_velocities_of<6>(table, spheres, one, count, others, force, velocity);
 }
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

@@ -24,6 +24,9 @@ void PairSum::set_positions(std::span<const Vec3> positions, std::size_t receive
     order_.resize(positions.size());
     std::iota(order_.begin(), order_.end(), 0);
   }
+  sums_ = 0;
+  kept_.clear();
+  kept_pairs_.clear();
   for (auto& coordinate : coordinates_) coordinate.clear();
   is_receiver_.clear();
   radii_.clear();
@@ -41,7 +44,6 @@ struct PairSum::Work {
   std::vector<double> sources, flows;
   /// Of the table: forces and velocities of all spheres, by component.
   std::array<std::vector<double>, 3> forces, velocities;
-  NearSpheres near;
   SourceLanes pairs{};
   double at_others[max_elements][lanes];
   int count = 0;  ///< lanes in use
@@ -51,7 +53,7 @@ struct PairSum::Work {
 };
 
 void PairSum::add_flows(std::span<const double> sources, std::span<double> flows,
-                        const Communicator& communicator) const {
+                        const Communicator& communicator) {
   const std::size_t n = spheres_.elements();
   Work work;  // its large arrays are not initialised
   work.sources.resize(sources.size());
@@ -93,42 +95,60 @@ SortedSpheres PairSum::sorted_spheres() const {
           .lengths = {lengths[0], lengths[1], lengths[2]}};
 }
 
-/// Adds this rank's share of the pairs within the cutoff of which at least one sphere is a receiver.
-void PairSum::add_near_pairs(Work& work, const Communicator& communicator) const {
+/// Adds this rank's share of the pairs within the cutoff of which at least one sphere is a receiver. The
+/// second sum at the same positions keeps the pairs for later ones.
+void PairSum::add_near_pairs(Work& work, const Communicator& communicator) {
   const SortedSpheres spheres = sorted_spheres();
+  if (++sums_ > 2) {
+    for (const KeptPairs& kept : kept_pairs_)
+      add_near(work, spheres, kept.one, std::span(kept_).subspan(kept.first, kept.others),
+               std::span(kept_).subspan(kept.first + kept.others, kept.closest));
+    return;
+  }
   const auto find_near_spheres = best_kernels<MobilityKernels>().find_near_spheres;
   const double close = table_ ? table_->min_square() : INFINITY;
   const auto [first, last] = rank_share(std::ssize(order_), communicator.rank(), communicator.size());
+  NearSpheres near;
+  const auto add = [&](int one) {
+    const std::span others(near.others, near.count), closest(near.close, near.close_count);
+    add_near(work, spheres, one, others, closest);
+    if (sums_ == 2) {
+      kept_pairs_.push_back(
+          {.one = one, .others = others.size(), .closest = closest.size(), .first = kept_.size()});
+      kept_.insert(kept_.end(), others.begin(), others.end());
+      kept_.insert(kept_.end(), closest.begin(), closest.end());
+    }
+    near.count = near.close_count = 0;
+  };
   for (int one = static_cast<int>(first); one < last; ++one) {
     cells_->for_each_range_after(one, [&](int begin, int end) {
-      while ((begin = find_near_spheres(spheres, one, begin, end, split_->cutoff, close, work.near)) < end)
-        add_near(work, spheres, one);
+      while ((begin = find_near_spheres(spheres, one, begin, end, split_->cutoff, close, near)) < end)
+        add(one);
     });
-    add_near(work, spheres, one);
+    add(one);
   }
 }
 
-/// Adds the pairs of the sphere `one` with the spheres near it: by the table, pairs that it lacks one by one.
-void PairSum::add_near(Work& work, const SortedSpheres& spheres, int one) const {
-  NearSpheres& near = work.near;
+/// Adds the pairs of the sphere `one` with others by the table, and those with the `closest` one by one.
+void PairSum::add_near(Work& work, const SortedSpheres& spheres, int one, std::span<const int> others,
+                       std::span<const int> closest) const {
   if (table_) {
     const auto pointers = [](auto& arrays) {
       return std::array{arrays[0].data(), arrays[1].data(), arrays[2].data()};
     };
     const std::array<const double*, 3> forces = pointers(std::as_const(work.forces));
     const std::array<double*, 3> velocities = pointers(work.velocities);
-    best_kernels<MobilityKernels>().pair_velocities(table_->table(), spheres, one, near, forces.data(),
-                                                    velocities.data());
+    best_kernels<MobilityKernels>().pair_velocities(table_->table(), spheres, one,
+                                                    static_cast<int>(others.size()), others.data(),
+                                                    forces.data(), velocities.data());
   }
   const auto& [x, y, z] = coordinates_;
-  for (int t = 0; t < near.close_count; ++t) {
-    const int other = near.close[t];
+  for (const int other : closest) {
     Vec3 d(x[one] - x[other], y[one] - y[other], z[one] - z[other]);
     for (int a = 0; a < 3; ++a)
       if (spheres_.lengths[a] > 0) d[a] -= spheres_.lengths[a] * std::nearbyint(d[a] / spheres_.lengths[a]);
     add_pair(work, one, other, d, d.norm());
   }
-  near.count = near.close_count = 0;
 }
 
 /// Adds a pair at the vector d, of length r, from sphere `other` to sphere `one`.

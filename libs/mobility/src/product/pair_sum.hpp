@@ -26,15 +26,15 @@ class PairSum {
 
   /// Adds the part of the flow that this rank evaluates. `sources`: of all spheres and images; `flows`: at
   /// the receivers.
-  void add_flows(std::span<const double> sources, std::span<double> flows,
-                 const Communicator& communicator) const;
+  void add_flows(std::span<const double> sources, std::span<double> flows, const Communicator& communicator);
 
  private:
   struct Work;
   void add_all_pairs(Work& work, const Communicator& communicator) const;
-  void add_near_pairs(Work& work, const Communicator& communicator) const;
+  void add_near_pairs(Work& work, const Communicator& communicator);
   SortedSpheres sorted_spheres() const;
-  void add_near(Work& work, const SortedSpheres& spheres, int one) const;
+  void add_near(Work& work, const SortedSpheres& spheres, int one, std::span<const int> others,
+                std::span<const int> closest) const;
   void add_pair(Work& work, int one, int other, const Vec3& d, double r) const;
   void add_forces(Work& work, int one, int other, const Vec3& d, double r) const;
   void add_overlap(Work& work, int one, int other, const Vec3& d) const;
@@ -46,6 +46,14 @@ class PairSum {
   bool is_positive_;                    ///< EwaldPlan::is_positive
   std::optional<TensorTable> table_{};  ///< of forces without moments; nullopt: moments, or all pairs
   std::optional<CellList> cells_{};     ///< nullopt: all pairs
+  /// Pairs of the sphere `one`: elements of kept_ from `first` on, the closest ones last.
+  struct KeptPairs {
+    int one;
+    std::size_t others, closest, first;
+  };
+  int sums_ = 0;  ///< number of sums at these positions
+  std::vector<int> kept_;
+  std::vector<KeptPairs> kept_pairs_;
   // Of the spheres and images in the order of the sum, by cells.
   std::vector<int> order_;  ///< index of each sphere
   std::array<std::vector<double>, 3> coordinates_;
