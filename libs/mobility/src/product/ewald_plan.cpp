@@ -89,10 +89,11 @@ bool has_mirror_points(const EwaldScene& scene, const EwaldPlan& plan) {
 //
 //   truncation of the wavevectors     n 2/3 integral of G^2 d^3k/(2 pi)^3 over k from k_m = pi/h to 1.5 k_m,
 //                                     and of each sphere at itself   2/3 integral of G d^3k/(2 pi)^3
-//   aliases of the windows W          n 4 integral of G^2 <sum over m of (W(k_x + 2 pi m/h)/W(k_x))^2> d^3k/(2 pi)^3 below k_m
+//   aliases of the windows W          n 4 integral of G^2 <q^2> d^3k/(2 pi)^3 below k_m, q = W(k_x +- 2 pi/h)/W(k_x),
+//                                     and of each sphere at itself   24 (2/3 integral of G <q> d^3k/(2 pi)^3)^2
 //
-// The first and the last are mean squares. Beyond 1.5 k_m, s(k) belongs to the edge of the near part alone. Direct sums of
-// random forces had errors of 0.7 to 1.2 times the first one, and 1.2 to 1.8 times the last one.
+// The first line of each and the last line are mean squares. Beyond 1.5 k_m, s(k) belongs to the edge of the near part
+// alone. Sums of random forces in 54 scenes had errors of 0.05 to 0.8 times the tolerance.
 // clang-format on
 
 /// Shape of the splitting function minus k_m times the cutoff; the truncation error is within 30 % of its
