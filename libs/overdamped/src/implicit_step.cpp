@@ -108,9 +108,10 @@ ImplicitStepResult solve_linearised(const StepScene& scene, Mobility& mobility, 
     Direction next{.forces = std::move(own), .velocities = {}, .left_hand_side = {}, .moments = {}};
     // The error of a correction matters relative to all velocities.
     constexpr double largest_error = 0.03;
-    const double looseness = std::clamp(residual_share * speed / missing, 1.0,
-                                        std::max(1.0, largest_error / scene.scene.tolerance));
-    next.velocities = product(next.forces, FlowPart::forces, {.moments = {}, .looseness = looseness});
+    const double tolerance_factor = std::clamp(residual_share * speed / missing, 1.0,
+                                               std::max(1.0, largest_error / scene.scene.tolerance));
+    next.velocities =
+        product(next.forces, FlowPart::forces, {.moments = {}, .tolerance_factor = tolerance_factor});
     next.moments = present_moments();
     next.left_hand_side = balance.left_hand_side(next.forces, next.velocities);
     for (const Direction& old : directions) {

@@ -46,7 +46,7 @@
 //   r distance of the centres, a_i, a_j radii [length], eta dynamic viscosity [mass/(length time)]
 //
 // References: Hasimoto, J. Fluid Mech. 5, 317 (1959); Kaiser and Schafer, IEEE Trans. Acoust. 28, 105 (1980) (Kaiser-Bessel
-// functions); Liang et al., arXiv:2505.09727 (prolate functions, whose errors are equal within 20 %).
+// functions); Liang et al., arXiv:2505.09727 (prolate functions, whose errors are equal within 23 %).
 // Page: docs/method/mobility-product.md.
 // clang-format on
 

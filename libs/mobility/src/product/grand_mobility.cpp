@@ -79,30 +79,31 @@ GrandMobility::GrandMobility(const MobilityScene& scene, const std::optional<Ewa
     mesh_ = std::make_unique<ParticleMesh>(*plan, spheres_, memory, scene.domain.half_space,
                                            Receivers::spheres, communicator);
   if (memory) unresolved_.emplace(radii_, order(), scene.viscosity, *memory, mesh_->memory()->cutoff());
+  std::optional<EwaldSplit> split;
+  if (plan) split.emplace(plan->cutoff, plan->shape);
   std::map<double, std::shared_ptr<const SelfMobility>> by_radius;
   for (std::size_t b = 0; b < radii_.size(); ++b) {
     auto& self = by_radius[radii_[b]];
-    if (!self) self = std::make_shared<SelfMobility>(self_mobility_of(b, plan));
+    if (!self) self = std::make_shared<SelfMobility>(self_mobility_of(b, split));
     self_.push_back(self);
   }
 }
 
 GrandMobility::SelfMobility GrandMobility::self_mobility_of(std::size_t sphere,
-                                                            const std::optional<EwaldPlan>& plan) const {
+                                                            const std::optional<EwaldSplit>& split) const {
   const Eigen::MatrixXd whole = moment_self_mobility(order(), radii_[sphere], spheres_.viscosity);
   const Eigen::Index higher = moments_per_sphere() - 3;
   SelfMobility self{.beside_mesh = whole, .inverse = whole.inverse().bottomRightCorner(higher, higher)};
-  if (!plan) return self;
+  if (!split) return self;
   const double radius = spheres_.radii[sphere];
-  const EwaldSplit split(plan->cutoff, plan->shape);
   if (order() == 0)
     self.beside_mesh.diagonal().array() -=
-        far_tensor(split, 0, spheres_.viscosity)
+        far_tensor(*split, 0, spheres_.viscosity)
             .sphere_tensor(
-                {.squares = 2 * radius * radius, .product = plan->is_positive ? std::pow(radius, 4) : 0})
+                {.squares = 2 * radius * radius, .product = is_for_noise_ ? std::pow(radius, 4) : 0})
             .isotropic;
   else
-    self.beside_mesh -= far_moment_self_mobility(split.far_integrals(), order(), radius, spheres_.viscosity);
+    self.beside_mesh -= far_moment_self_mobility(split->far_integrals(), order(), radius, spheres_.viscosity);
   return self;
 }
 

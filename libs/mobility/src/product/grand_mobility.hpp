@@ -66,7 +66,7 @@ class GrandMobility {
     Eigen::MatrixXd beside_mesh;  ///< without the far part of the Ewald sum, which the mesh contains
     Eigen::MatrixXd inverse;      ///< inverse of the whole self-mobility of the higher moments
   };
-  SelfMobility self_mobility_of(std::size_t sphere, const std::optional<EwaldPlan>& plan) const;
+  SelfMobility self_mobility_of(std::size_t sphere, const std::optional<EwaldSplit>& split) const;
   int order() const { return spheres_.order; }
   std::vector<double> sources_of(std::span<const double> moments) const;
 

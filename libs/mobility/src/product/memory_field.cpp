@@ -42,19 +42,21 @@ std::vector<double> squares_of_classes(std::vector<double> squares) {
   return nodes;
 }
 
-/// Returns the numbers of points of the mesh on which the Reynolds stress is evaluated.
-std::array<int, 3> stress_points(const FluidMemory& fluid, const ImagedSpheres& spheres) {
+/// Returns the numbers of points of the mesh on which the Reynolds stress is evaluated, in a box with edges
+/// of these lengths.
+std::array<int, 3> stress_points(const FluidMemory& fluid, const Vec3& lengths) {
   std::array<int, 3> points;
-  for (int a = 0; a < 3; ++a) points[a] = next_fft_size(spheres.lengths[a] / fluid.spacing);
+  for (int a = 0; a < 3; ++a) points[a] = next_fft_size(lengths[a] / fluid.spacing);
   return points;
 }
 
 }  // namespace
 
 double memory_cutoff(const FluidMemory& fluid, const Vec3& lengths) {
+  const std::array<int, 3> points = stress_points(fluid, lengths);
   double cutoff = INFINITY;
-  for (const double length : lengths)
-    cutoff = std::min(cutoff, 2 * std::numbers::pi / length * (next_fft_size(length / fluid.spacing) / 3.0));
+  for (int a = 0; a < 3; ++a)
+    cutoff = std::min(cutoff, 2 * std::numbers::pi / lengths[a] * (points[a] / 3.0));
   return cutoff * (1 - 1e-12);
 }
 
@@ -81,7 +83,7 @@ MemoryField::MemoryField(const FluidMemory& fluid, const ImagedSpheres& spheres,
                          const MeshTransform& transform)
     : fluid_(fluid),
       transform_(transform),
-      stress_transform_(stress_points(fluid, spheres), stress_points(fluid, spheres),
+      stress_transform_(stress_points(fluid, spheres.lengths), stress_points(fluid, spheres.lengths),
                         transform.communicator(), &transform),
       scale_(1 / (double(points[0]) * points[1] * points[2])),
       cutoff_(memory_cutoff(fluid, spheres.lengths)) {

@@ -160,9 +160,9 @@ struct Mobility::Parts {
   double power(std::span<const Vec3> forces, std::span<const Vec3> velocities, FlowPart part) const;
   void set_forces(std::span<const Vec3> forces, std::vector<double>& moments) const;
   ProductWork solve(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part,
-                    std::vector<double>& moments, double looseness = 1);
+                    std::vector<double>& moments, double tolerance_factor = 1);
   ProductWork iterate(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part,
-                      std::vector<double> flow, std::vector<double>& moments, double looseness = 1);
+                      std::vector<double> flow, std::vector<double>& moments, double tolerance_factor = 1);
 };
 
 Mobility::Mobility(MobilityScene scene, std::span<const Vec3> positions, const Communicator& communicator) {
@@ -246,7 +246,7 @@ void Mobility::Parts::set_forces(std::span<const Vec3> forces, std::vector<doubl
 
 /// Finds the velocities, beginning with the higher moments in `moments`, and returns all moments there.
 ProductWork Mobility::Parts::solve(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part,
-                                   std::vector<double>& moments, double looseness) {
+                                   std::vector<double>& moments, double tolerance_factor) {
   if (near_map)
     moments = near_map->moments_of(forces);
   else
@@ -264,7 +264,7 @@ ProductWork Mobility::Parts::solve(std::span<const Vec3> forces, std::span<Vec3>
     add_velocities(1, background, velocities);
   }
   ProductWork work{.products = 1};
-  if (has_moments()) work = iterate(forces, velocities, part, std::move(flow), moments, looseness);
+  if (has_moments()) work = iterate(forces, velocities, part, std::move(flow), moments, tolerance_factor);
   // Roundoff may differ between processors, so all ranks use the velocities of rank 0.
   if (has_moments() || near_map)
     broadcast_doubles(velocities.data()->data(), 3 * velocities.size(), communicator);
@@ -292,7 +292,7 @@ constexpr int max_iterations = 100;
 /// beginning.
 ProductWork Mobility::Parts::iterate(std::span<const Vec3> forces, std::span<Vec3> velocities, FlowPart part,
                                      std::vector<double> flow, std::vector<double>& moments,
-                                     double looseness) {
+                                     double tolerance_factor) {
   // Roundoff may differ between processors, so all ranks use the numbers of rank 0.
   const auto from_root = [&](double value) {
     broadcast_doubles(&value, 1, communicator);
@@ -306,7 +306,8 @@ ProductWork Mobility::Parts::iterate(std::span<const Vec3> forces, std::span<Vec
   ProductWork work{.products = 1};
   for (;; ++work.iterations) {
     work.residual =
-        cg.square == 0 ? 0 : std::sqrt(cg.square / from_root(power(forces, velocities, part))) / looseness;
+        cg.square == 0 ? 0
+                       : std::sqrt(cg.square / from_root(power(forces, velocities, part))) / tolerance_factor;
     if (!(work.residual > residual_share * scene.tolerance)) {
       work.is_converged = !std::isnan(work.residual);
       break;
@@ -335,7 +336,7 @@ ProductWork Mobility::apply(std::span<const Vec3> forces, std::span<Vec3> veloci
   check_size("velocities", velocities.size(), parts_->scene.radii.size());
   std::vector<double> moments(parts_->size(), 0.0);
   if (guess.moments.size() == moments.size()) std::ranges::copy(guess.moments, moments.begin());
-  const ProductWork work = parts_->solve(forces, velocities, part, moments, guess.looseness);
+  const ProductWork work = parts_->solve(forces, velocities, part, moments, guess.tolerance_factor);
   parts_->applied_moments = std::move(moments);
   return work;
 }

@@ -25,8 +25,8 @@ void PairSum::set_positions(std::span<const Vec3> positions, std::size_t receive
     std::iota(order_.begin(), order_.end(), 0);
   }
   sums_ = 0;
-  kept_.clear();
-  kept_pairs_.clear();
+  neighbour_list_.clear();
+  neighbour_ranges_.clear();
   for (auto& coordinate : coordinates_) coordinate.clear();
   is_receiver_.clear();
   radii_.clear();
@@ -100,9 +100,9 @@ SortedSpheres PairSum::sorted_spheres() const {
 void PairSum::add_near_pairs(Work& work, const Communicator& communicator) {
   const SortedSpheres spheres = sorted_spheres();
   if (++sums_ > 2) {
-    for (const KeptPairs& kept : kept_pairs_)
-      add_near(work, spheres, kept.one, std::span(kept_).subspan(kept.first, kept.others),
-               std::span(kept_).subspan(kept.first + kept.others, kept.closest));
+    for (const NeighbourRange& kept : neighbour_ranges_)
+      add_near(work, spheres, kept.one, std::span(neighbour_list_).subspan(kept.first, kept.others),
+               std::span(neighbour_list_).subspan(kept.first + kept.others, kept.closest));
     return;
   }
   const auto find_near_spheres = best_kernels<MobilityKernels>().find_near_spheres;
@@ -113,10 +113,10 @@ void PairSum::add_near_pairs(Work& work, const Communicator& communicator) {
     const std::span others(near.others, near.count), closest(near.close, near.close_count);
     add_near(work, spheres, one, others, closest);
     if (sums_ == 2) {
-      kept_pairs_.push_back(
-          {.one = one, .others = others.size(), .closest = closest.size(), .first = kept_.size()});
-      kept_.insert(kept_.end(), others.begin(), others.end());
-      kept_.insert(kept_.end(), closest.begin(), closest.end());
+      neighbour_ranges_.push_back(
+          {.one = one, .others = others.size(), .closest = closest.size(), .first = neighbour_list_.size()});
+      neighbour_list_.insert(neighbour_list_.end(), others.begin(), others.end());
+      neighbour_list_.insert(neighbour_list_.end(), closest.begin(), closest.end());
     }
     near.count = near.close_count = 0;
   };

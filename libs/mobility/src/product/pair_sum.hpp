@@ -46,14 +46,14 @@ class PairSum {
   bool is_positive_;                    ///< EwaldPlan::is_positive
   std::optional<TensorTable> table_{};  ///< of forces without moments; nullopt: moments, or all pairs
   std::optional<CellList> cells_{};     ///< nullopt: all pairs
-  /// Pairs of the sphere `one`: elements of kept_ from `first` on, the closest ones last.
-  struct KeptPairs {
+  /// Pairs of the sphere `one`: elements of neighbour_list_ from `first` on, the closest ones last.
+  struct NeighbourRange {
     int one;
     std::size_t others, closest, first;
   };
   int sums_ = 0;  ///< number of sums at these positions
-  std::vector<int> kept_;
-  std::vector<KeptPairs> kept_pairs_;
+  std::vector<int> neighbour_list_;
+  std::vector<NeighbourRange> neighbour_ranges_;
   // Of the spheres and images in the order of the sum, by cells.
   std::vector<int> order_;  ///< index of each sphere
   std::array<std::vector<double>, 3> coordinates_;

@@ -12,6 +12,27 @@
 #include "mobility_kernels.hpp"
 
 namespace beadswim {
+namespace {
+
+/// Number of taps of the filter that undoes the windows, beside the one at 0.
+constexpr int taps = 32;
+
+/// Returns the taps d_0 to d_32 of a symmetric filter along one axis of a mesh of spacing h. Its Fourier
+/// transform d(k) = d_0 + 2 sum d_j cos(j k h) has the smallest mean square of (d W^2 - 1) s(k)/k, the error
+/// of the flow of random forces (ewald_plan.cpp).
+Eigen::VectorXd filter(const WindowTable& window, const EwaldSplit& split, double h) {
+  constexpr int samples = 240;
+  Eigen::MatrixXd cosines(samples, taps + 1);
+  Eigen::VectorXd wanted(samples);
+  for (int n = 0; n < samples; ++n) {
+    const double k = std::numbers::pi * (n + 0.5) / samples, w = window.transform(k);
+    wanted[n] = split.far_share(k / h) / std::max(k, 0.1);
+    for (int j = 0; j <= taps; ++j) cosines(n, j) = (j == 0 ? 1 : 2) * std::cos(j * k) * w * w * wanted[n];
+  }
+  return cosines.colPivHouseholderQr().solve(wanted);
+}
+
+}  // namespace
 
 ParticleMesh::ParticleMesh(const EwaldPlan& plan, const ImagedSpheres& spheres,
                            const std::optional<FluidMemory>& memory,
@@ -31,7 +52,10 @@ ParticleMesh::ParticleMesh(const EwaldPlan& plan, const ImagedSpheres& spheres,
                          (at_points_ || !(plan.has_mirror_points && *largest > 0));
   if (is_shared) shared_size_ = (at_points_ ? 1 : 2) * (*largest * *largest);
   if (!is_shared) fields_ = 2;
-  if (!is_periodic()) return;
+  if (!is_periodic()) {
+    filter_ = filter(window_, split_, plan_.spacing);
+    return;
+  }
   std::array<int, 3> points;
   for (int a = 0; a < 3; ++a) {
     points[a] = next_fft_size(spheres.lengths[a] / plan.spacing);
@@ -98,24 +122,6 @@ void ParticleMesh::fit_to(const Eigen::AlignedBox3d& bounds) {
 
 namespace {
 
-/// Number of taps of the filter that undoes the windows, beside the one at 0.
-constexpr int taps = 32;
-
-/// Returns the taps d_0 to d_32 of a symmetric filter along one axis of a mesh of spacing h. Its Fourier
-/// transform d(k) = d_0 + 2 sum d_j cos(j k h) has the smallest mean square of (d W^2 - 1) s(k)/k, the error
-/// of the flow of random forces (ewald_plan.cpp).
-Eigen::VectorXd filter(const WindowTable& window, const EwaldSplit& split, double h) {
-  constexpr int samples = 240;
-  Eigen::MatrixXd cosines(samples, taps + 1);
-  Eigen::VectorXd wanted(samples);
-  for (int n = 0; n < samples; ++n) {
-    const double k = std::numbers::pi * (n + 0.5) / samples, w = window.transform(k);
-    wanted[n] = split.far_share(k / h) / std::max(k, 0.1);
-    for (int j = 0; j <= taps; ++j) cosines(n, j) = (j == 0 ? 1 : 2) * std::cos(j * k) * w * w * wanted[n];
-  }
-  return cosines.colPivHouseholderQr().solve(wanted);
-}
-
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 }  // namespace
@@ -125,7 +131,6 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// changes its sign with this coordinate.
 std::vector<double> ParticleMesh::octant(const std::function<double(const Vec3&)>& function,
                                          const std::array<bool, 3>& is_odd) const {
-  const Eigen::VectorXd tap = filter(window_, split_, plan_.spacing);
   std::array<RowMajor, 3> filters;  // from the distances 0 to half + taps
   for (int a = 0; a < 3; ++a) {
     const int half = geometry_.points[a] / 2;
@@ -133,7 +138,7 @@ std::vector<double> ParticleMesh::octant(const std::function<double(const Vec3&)
     for (int to = 0; to <= half; ++to)
       for (int j = -taps; j <= taps; ++j) {
         const int from = to + j;
-        filters[a](to, std::abs(from)) += (from < 0 && is_odd[a] ? -1 : 1) * tap[std::abs(j)];
+        filters[a](to, std::abs(from)) += (from < 0 && is_odd[a] ? -1 : 1) * filter_[std::abs(j)];
       }
   }
   const Eigen::Index nx = filters[0].cols(), ny = filters[1].cols(), nz = filters[2].cols(),

@@ -148,6 +148,7 @@ class ParticleMesh {
   std::vector<std::array<FftwArray, 3>> values_{};  ///< mesh values per field: forces, replaced by velocities
   SortedBeads sources_, receivers_, mirrors_;       ///< beads with images; receivers; their mirror points
   std::vector<std::vector<double>> kernel_{};  ///< open space: elements of the Fourier transforms of K and L
+  Eigen::VectorXd filter_{};  ///< open space: taps of the filter that undoes the windows along one axis
   /// Over a wall: imaginary part of the Fourier transform of the kernel of p/eta, and mesh values of p/eta.
   std::vector<std::array<double, 3>> pressure_kernel_{};
   FftwArray pressure_{};

@@ -84,10 +84,10 @@ struct ProductWork {
   }
 };
 
-/// Where the iteration for force moments begins, and where it ends.
+/// Start and accepted error of the iteration for force moments.
 struct MomentGuess {
   std::span<const double> moments{};  ///< as those of Mobility::moments(); empty: 0
-  double looseness = 1;               ///< factor on the accepted error, 1 or more
+  double tolerance_factor = 1;        ///< factor on the accepted error, 1 or more
 };
 
 /// Spheres that move in the fluid; lists of all spheres.
