@@ -218,11 +218,6 @@ TEST_P(MomentOrder, FlowInOpenSpaceByAMeshIsTheSumOfAllPairs) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (double& moment : moments) moment = uniform(random);
-  Mobility meshed(scene_of(order, spheres.radii, 1e-5), places, world);
-  ASSERT_TRUE(meshed.plan());
-  meshed.project_flow_of(moments, found);
-  found.resize(half * size);
-
   const auto flow_at_half = [&](std::vector<double> radii, std::vector<Vec3> group,
                                 const std::vector<double>& sources) {
     std::vector<double> flow(sources.size());
@@ -240,7 +235,14 @@ TEST_P(MomentOrder, FlowInOpenSpaceByAMeshIsTheSumOfAllPairs) {
   last.insert(last.end(), moments.end() - size, moments.end());
   const std::vector<double> by_last = flow_at_half(radii, with_last, last);
   for (std::size_t k = 0; k < expected.size(); ++k) expected[k] += by_last[k];
-  EXPECT_LT(relative_difference(found, expected), 1e-5);
+  for (const double tolerance : {1e-3, 1e-5, 1e-8}) {
+    Mobility meshed(scene_of(order, spheres.radii, tolerance), places, world);
+    ASSERT_TRUE(meshed.plan());
+    found.resize(moments.size());
+    meshed.project_flow_of(moments, found);
+    found.resize(half * size);
+    EXPECT_LT(relative_difference(found, expected), tolerance);
+  }
 }
 
 // Spheres anywhere, also within one another, dissipate energy whatever the forces.

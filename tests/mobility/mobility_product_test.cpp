@@ -72,6 +72,18 @@ TEST(Mobility, InABoxIsTheDirectSumToItsTolerance) {
   }
 }
 
+// Waves along the long edges, of which there are more than an integral over waves has, carry most of the
+// flow.
+TEST(Mobility, InANarrowBoxIsTheDirectSumToItsTolerance) {
+  const Box box{.lengths = {400, 100, 25}, .boundary = {}};
+  const direct::Spheres spheres = random_spheres(200, box.lengths, 0.5, true);
+  const auto exact = direct::box_velocities(direct::Law::rotne_prager, spheres, eta, box);
+  constexpr double tolerance = 1e-3;
+  EXPECT_LT(relative_error(
+                product({MobilityModel::rpy, eta, {.box = box}, spheres.radii, tolerance}, spheres), exact),
+            tolerance);
+}
+
 // Against the sum of all pairs: a thousand spheres are on the mesh. Crowded, where many overlap, and far
 // apart.
 TEST(Mobility, InOpenSpaceIsTheSumOfPairsToItsTolerance) {

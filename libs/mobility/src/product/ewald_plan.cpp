@@ -89,10 +89,11 @@ bool has_mirror_points(const EwaldScene& scene, const EwaldPlan& plan) {
 //
 //   truncation of the wavevectors     n 2/3 integral of G^2 d^3k/(2 pi)^3 over k from k_m = pi/h to 1.5 k_m,
 //                                     and of each sphere at itself   2/3 integral of G d^3k/(2 pi)^3
-//   aliases of the windows W          n 4 integral of G^2 <q^2> d^3k/(2 pi)^3 below k_m, q = W(k_x +- 2 pi/h)/W(k_x),
+//   aliases of the windows W          n 4 integral of G^2 <q^2> d^3k/(2 pi)^3 below k_m, q = W(k_x + 2 pi m/h)/W(k_x),
 //                                     and of each sphere at itself   24 (2/3 integral of G <q> d^3k/(2 pi)^3)^2
 //
-// The first line of each and the last line are mean squares. Beyond 1.5 k_m, s(k) belongs to the edge of the near part
+// The first line of each and the last line are mean squares. In a periodic box the integral over aliases is a sum, from
+// which it differs by the long waves of narrow boxes. Beyond 1.5 k_m, s(k) belongs to the edge of the near part
 // alone. Measured errors: docs/method/mobility-product.md.
 // clang-format on
 
@@ -104,15 +105,18 @@ constexpr double window_shape = 1.9;
 /// In open space, the mesh has wavevectors beyond k_m, where the filter of the kernel may be inaccurate
 /// (particle_mesh.cpp).
 constexpr double open_oversampling(int window) {
-  return window > 8 ? 1.1 : 1.05;
+  return window > 12 ? 1.15 : window > 8 ? 1.1 : 1.05;
 }
 constexpr int min_window = 4;
 
-/// Mean square alias of windows of each number of points at the wavenumber k = x pi/h.
+/// Aliases of windows at the wavenumber k = x pi/h. Those of moments decrease slowly with m, because the
+/// window and its derivatives have jumps at its edges.
 struct Aliases {
+  static constexpr int orders = 3;  ///< highest m
+  using ByPoints = std::array<double, WindowTable::max_points + 1>;
   struct Node {
     double x, weight;
-    std::array<double, WindowTable::max_points + 1> square, own;  ///< by points of the window
+    std::array<ByPoints, orders> square, own;  ///< mean square and half the mean, by m - 1
   };
   std::vector<Node> nodes;
 
@@ -124,10 +128,11 @@ struct Aliases {
         const auto transform = [&](double k) { return sinh_ratio(square - std::pow(k * points / 2, 2)); };
         for (const auto& [along, share] : gauss_legendre(8, 0, 1)) {
           const double k = std::numbers::pi * x * along, own = transform(k);
-          for (const int m : {-1, 1}) {
+          for (int m = -orders; m <= orders; ++m) {
+            if (m == 0) continue;
             const double alias = transform(k + 2 * std::numbers::pi * m) / own;
-            node.square[points] += 3 * share * alias * alias;
-            node.own[points] += share * alias / 2;
+            node.square[std::abs(m) - 1][points] += 3 * share * alias * alias;
+            node.own[std::abs(m) - 1][points] += share * alias / 2;
           }
         }
       }
@@ -136,14 +141,33 @@ struct Aliases {
   }
 };
 
+/// Returns 2 pi^2/V times the sum of 1/k^4 over the wavevectors of a periodic box with these edges, minus the
+/// integral of 1/k^2 dk from the smallest wavenumber on, which misses long waves in narrow boxes [length].
+double excess_of_long_waves(const Vec3& lengths) {
+  constexpr double most_waves = 2e4, per_shortest = 3;
+  const double pi = std::numbers::pi, volume = lengths.prod();
+  const double largest =
+      std::min(per_shortest * 2 * pi / lengths.minCoeff(), std::cbrt(6 * pi * pi * most_waves / volume));
+  const Index3 most = (largest / (2 * pi) * lengths).array().floor().cast<int>();
+  double sum = 0;
+  for (int x = -most[0]; x <= most[0]; ++x)
+    for (int y = -most[1]; y <= most[1]; ++y)
+      for (int z = -most[2]; z <= most[2]; ++z) {
+        const double square = (2 * pi * Vec3(x, y, z).cwiseQuotient(lengths)).squaredNorm();
+        if (square > 0 && square < largest * largest) sum += 1 / (square * square);
+      }
+  const double smallest = 2 * pi / lengths.maxCoeff();
+  return std::max(0.0, 2 * pi * pi / volume * sum - (1 / smallest - 1 / largest));
+}
+
 /// Mean square errors of an Ewald sum.
 struct Errors {
   double truncation = 0;
-  std::array<double, WindowTable::max_points + 1> of_window{};
+  Aliases::ByPoints of_window{};
 };
 
 /// Returns the errors for the cutoff c, if the largest wavenumber is k_m = z/c.
-Errors errors(const EwaldScene& scene, const Aliases& aliases, double cutoff, double z) {
+Errors errors(const EwaldScene& scene, const Aliases& aliases, double long_waves, double cutoff, double z) {
   const double largest = z / cutoff, a2 = scene.largest_radius * scene.largest_radius;
   const double density = scene.beads / (scene.lengths[0] * scene.lengths[1] * scene.lengths[2]);
   const double smallest = 2 * std::numbers::pi / scene.lengths.maxCoeff();  // wavenumber
@@ -173,14 +197,19 @@ Errors errors(const EwaldScene& scene, const Aliases& aliases, double cutoff, do
   }
   const double pairs = unit * unit * 2.0 / 3 * density * 2 * std::numbers::pi * std::numbers::pi;
   result.truncation = pairs * result.truncation + std::pow(2.0 / 3 * unit * own / 2, 2);
-  std::array<double, WindowTable::max_points + 1> own_alias{};
-  for (const auto& [x, weight, of_pairs, of_own] : aliases.nodes) {
-    const double k = x * largest, far = far_part(k, false) * moments(2 * largest - k / 2);
-    for (int points = min_window; points <= WindowTable::max_points; ++points) {
-      if (k > smallest)
-        result.of_window[points] += 2 * pairs * weight * largest * far * far / (k * k) * of_pairs[points];
-      own_alias[points] += weight * largest * far * of_own[points];
+  Aliases::ByPoints own_alias{};
+  for (int m = 1; m <= Aliases::orders; ++m) {
+    const auto add = [&](const Aliases::Node& node, double share, double far) {
+      for (int points = min_window; points <= WindowTable::max_points; ++points)
+        result.of_window[points] += 2 * pairs * share * far * far * node.square[m - 1][points];
+    };
+    for (const Aliases::Node& node : aliases.nodes) {
+      const double k = node.x * largest, far = far_part(k, false) * moments(2 * m * largest - k / 2);
+      if (k > smallest) add(node, node.weight * largest / (k * k), far);
+      for (int points = min_window; points <= WindowTable::max_points; ++points)
+        own_alias[points] += node.weight * largest * far * node.own[m - 1][points];
     }
+    add(aliases.nodes.front(), long_waves, moments(2 * m * largest));
   }
   for (int points = min_window; points <= WindowTable::max_points; ++points)
     result.of_window[points] += 24 * std::pow(2.0 / 3 * unit * own_alias[points], 2);
@@ -189,7 +218,8 @@ Errors errors(const EwaldScene& scene, const Aliases& aliases, double cutoff, do
 
 /// Returns the parameters of Ewald sums with this cutoff whose estimated error is within the tolerance: for
 /// each number of points of the window, those with the coarsest mesh.
-std::vector<EwaldPlan> plans_with(const EwaldScene& scene, const Aliases& aliases, double cutoff) {
+std::vector<EwaldPlan> plans_with(const EwaldScene& scene, const Aliases& aliases, double long_waves,
+                                  double cutoff) {
   constexpr double safety = 1.4, min_z = 4, max_z = 80, factor = 1.04;
   const double allowed = std::pow(scene.tolerance / safety, 2);
   std::vector<EwaldPlan> plans;
@@ -198,7 +228,7 @@ std::vector<EwaldPlan> plans_with(const EwaldScene& scene, const Aliases& aliase
   const double of_memory = scene.memory_cutoff * cutoff / memory_share;
   for (double z = std::max(min_z, of_memory); z < std::max(max_z, 1.5 * of_memory) && points >= min_window;
        z *= factor) {
-    const Errors error = errors(scene, aliases, cutoff, z);
+    const Errors error = errors(scene, aliases, long_waves, cutoff, z);
     for (; points >= min_window && error.truncation + error.of_window[points] <= allowed; --points)
       plans.push_back(
           {.cutoff = cutoff,
@@ -218,8 +248,6 @@ EwaldPlan plan_ewald(const EwaldScene& asked) {
                      fmt::format("the tolerance {} is not between 1e-12 and 1e-2; give a value in this range",
                                  asked.tolerance));
   EwaldScene scene = asked;
-  // The estimate of aliases is too small for moments of order 2: up to 2.2 times the tolerance was measured.
-  if (scene.moment_order == 2) scene.tolerance /= 2;
   // The flow that the wall adds contains derivatives of two higher orders. Without these factors, errors of
   // up to 12 times the tolerance were measured for forces alone, and 45 times for moments.
   if (scene.lengths_with_mirror_points) scene.tolerance /= scene.moment_order > 0 ? 64 : 32;
@@ -234,12 +262,13 @@ EwaldPlan plan_ewald(const EwaldScene& asked) {
                                         "radius {}; enlarge the box or use open space ({})",
                                         shortest, scene.largest_radius, Setting::unbounded));
   const Aliases aliases;
+  const double long_waves = scene.is_periodic ? excess_of_long_waves(scene.lengths) : 0;
   EwaldPlan best;
   double minimum = INFINITY;
   constexpr int trials = 60;
   for (int t = 0; t < trials; ++t) {
     const double cutoff = std::max(max_cutoff * std::pow(0.9, t), min_cutoff);
-    for (const EwaldPlan& plan : plans_with(scene, aliases, cutoff)) {
+    for (const EwaldPlan& plan : plans_with(scene, aliases, long_waves, cutoff)) {
       if (scene.is_for_root && std::sqrt(plan.shape / 2) * scene.largest_radius > largest_positive * cutoff)
         continue;
       if (const double w = work(scene, plan); w < minimum) {
