@@ -1,16 +1,16 @@
 #!/bin/bash
-# Speed and diffusion of the paper's swimmer with thermal noise, over 500 persistence times (docs/noise.md): prints a line per
-# thermal energy. Takes an hour on two cores.
+# Speed and diffusion of the paper's swimmer with thermal noise, over 1000 persistence times (docs/noise.md): prints a line per
+# thermal energy. Takes half an hour on two cores.
 #   docs/results/noise.sh >docs/results/noise.jsonl
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 beadswim-layout swimmer --preset paper-single --unbounded --amplitude 0.4 --frame body |
-  beadswim-layout vary --over thermal-energy=0.02,0.1 >"$folder/layouts.jsonl"
+  beadswim-layout vary --over thermal-energy=0.02,0.05,0.1 >"$folder/layouts.jsonl"
 while read -r layout; do
   energy=$(jq .fluid.thermal_energy <<<"$layout")
-  beadswim-run - --model rpy --cycles "$(jq -n "1100 / $energy")" --frames-per-cycle 8 --progress none \
+  beadswim-run - --model rpy --cycles "$(jq -n "2200 / $energy")" --frames-per-cycle 8 --progress none \
     -o "$folder/$energy.h5md" <<<"$layout" >"$folder/$energy.json" &
 done <"$folder/layouts.jsonl"
 wait

@@ -125,7 +125,8 @@ TEST(PositiveSplit, HasANearPartWithoutNegativeEigenvalues) {
 
 TEST(MobilityRoot, HasTheErrorThatItStates) {
   const Communicator world(MPI_COMM_WORLD);
-  const MobilityScene scene = spheres(MobilityModel::rpy, {1, 0.8, 1.3});
+  MobilityScene scene = spheres(MobilityModel::rpy, {1, 0.8, 1.3});
+  scene.domain.half_space = HalfSpace{.axis = 2};
   Mobility mobility(scene, places, world);
   MobilityRoot exact(scene, places, 1e-12, mobility, world);
   for (const double tolerance : {1e-1, 1e-2, 1e-3}) {

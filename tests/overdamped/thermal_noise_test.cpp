@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "bead_vectors.hpp"
+#include "bispherical.hpp"
 #include "scenes.hpp"
 #include "thermal_noise.hpp"
 
@@ -152,6 +153,15 @@ TEST(ThermalNoise, GivesAStiffBondItsVarianceForEveryStep) {
   }
 }
 
+/// Returns the statistical weight of the repulsion between beads of radius 1, or of one with its mirror
+/// image.
+double contact_weight(double gap) {
+  constexpr double d = 0.2, strength = 20 / d;
+  if (gap >= d) return 1;
+  if (gap < d / 20) return 0;
+  return std::exp(-strength / 2 * (d * std::log(d / gap) - (d - gap)));
+}
+
 // Heights over a wall under the force -G: exp(-(G z + U)/kT), U: energy of the repulsion.
 TEST(ThermalNoise, SpreadsSpheresOverAWallAsTheirWeightSays) {
   const Communicator world(MPI_COMM_WORLD);
@@ -162,15 +172,11 @@ TEST(ThermalNoise, SpreadsSpheresOverAWallAsTheirWeightSays) {
   OverdampedScene scene = warm(type, {Vec3(0, 0, 2)}, 2e-3);
   scene.domain.half_space = HalfSpace{.axis = 2};
   OverdampedSystem system(scene, world);
-  constexpr double d = 0.2, strength = 20 / d;
-  const auto weight = [&](double z) {
-    const double gap = 2 * (z - 1);
-    if (gap >= d) return std::exp(-G * z);
-    if (gap < d / 20) return 0.0;
-    return std::exp(-G * z - strength / 2 * (d * std::log(d / gap) - (d - gap)));
-  };
   double sum = 0, mean = 0;
-  for (double z = 1; z < 40; z += 1e-4) sum += weight(z), mean += z * weight(z);
+  for (double z = 1; z < 40; z += 1e-4) {
+    const double weight = std::exp(-G * z) * contact_weight(2 * (z - 1));
+    sum += weight, mean += z * weight;
+  }
   BlockMean height(20000);
   for (int n = 0; n < 1000000; ++n) {
     system.step();
@@ -178,6 +184,56 @@ TEST(ThermalNoise, SpreadsSpheresOverAWallAsTheirWeightSays) {
   }
   EXPECT_FALSE(system.fault());
   expect_mean(height, mean / sum, 0.05, "height");
+}
+
+// Without forces all heights between free-slip walls are equally probable, outside of contacts. Without drift
+// spheres would stay at the walls, where their mobility is 0.4 of that in the middle. The tested mean is that
+// of cos(2 pi (z - 1)/4), which is 1 at contact with a wall and -1 in the middle.
+TEST(ThermalNoise, SpreadsSpheresEvenlyBetweenFreeSlipWalls) {
+  const Communicator world(MPI_COMM_WORLD);
+  constexpr double height = 6;
+  OverdampedScene scene = warm(sphere(), {{6, 6, 2}, {6, 18, 4}, {18, 6, 4}, {18, 18, 2}}, 4e-3);
+  scene.domain.box = Box{.lengths = {24, 24, height},
+                         .boundary = {Boundary::periodic, Boundary::periodic, Boundary::free_slip}};
+  scene.tolerance = scene.noise_tolerance = 1e-3;
+  OverdampedSystem system(scene, world);
+  const auto wave = [](double z) { return std::cos(2 * pi * (z - 1) / (height - 2)); };
+  double sum = 0, weighted = 0;
+  for (double z = 1; z < height / 2; z += 1e-4) {
+    const double weight = contact_weight(2 * (z - 1));
+    sum += weight, weighted += weight * wave(z);
+  }
+  BlockMean mean(4000);
+  for (int n = 0; n < 50000; ++n) {
+    system.step();
+    for (const Vec3& position : system.positions()) mean.add(wave(position.z()));
+  }
+  EXPECT_FALSE(system.fault());
+  expect_mean(mean, weighted / sum, 0.04, "wave of heights");
+}
+
+// The squared displacement of two spheres along the line of their centres in a short time is 2 D t. D is kT
+// times their relative mobility, of which rpy has a formula, and rpy+near the exact value.
+TEST(ThermalNoise, MovesTwoSpheresApartAsTheirMobilitySays) {
+  const Communicator world(MPI_COMM_WORLD);
+  constexpr double r = 2.3;
+  for (const MobilityModel model : {MobilityModel::rpy, MobilityModel::rpy_near}) {
+    OverdampedScene scene = warm(sphere(), {Vec3::Zero(), Vec3(r, 0, 0)}, 1e-6);
+    scene.model = model;
+    BlockMean along(100), across(100);
+    for (int n = 0; n < 8000; ++n) {
+      scene.seed = n;
+      OverdampedSystem system(scene, world);
+      system.step();
+      const Vec3 change = system.positions()[1] - system.positions()[0] - Vec3(r, 0, 0);
+      along.add(change.x() * change.x() / (2 * scene.step));
+      across.add((change.y() * change.y() + change.z() * change.z()) / (4 * scene.step));
+    }
+    const bool is_rpy = model == MobilityModel::rpy;
+    const double inverse = 1 / (r * r * r);
+    expect_mean(along, is_rpy ? 2 - 3 / r + 2 * inverse : 2 / approaching_spheres(r), 0.02, to_text(model));
+    if (is_rpy) expect_mean(across, 2 - 1.5 / r - inverse, 0.02, "across");
+  }
 }
 
 // The mean of random finite differences over many steps is the divergence of the mobility, here by central

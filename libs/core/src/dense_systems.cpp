@@ -41,6 +41,12 @@ bool is_positive_definite(const Eigen::MatrixXd& matrix) {
   return matrix.llt().info() == Eigen::Success;
 }
 
+std::optional<Eigen::MatrixXd> cholesky_factor(const Eigen::MatrixXd& matrix) {
+  const Eigen::LLT<Eigen::MatrixXd> decomposition(matrix);
+  if (decomposition.info() != Eigen::Success) return std::nullopt;
+  return decomposition.matrixL();
+}
+
 Eigen::VectorXd solve_definite(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   return a.ldlt().solve(b);
 }

@@ -7,6 +7,7 @@
 
 #include "beadswim/core/dense_systems.hpp"
 #include "beadswim/core/keyed_random.hpp"
+#include "beadswim/mobility/mobility_matrix.hpp"
 #include "grand_mobility.hpp"
 
 namespace beadswim {
@@ -111,9 +112,36 @@ MobilityRoot::MobilityRoot(const MobilityScene& scene, std::span<const Vec3> pos
 
 MobilityRoot::~MobilityRoot() = default;
 
+/// Returns true if the matrix of the mobility takes less time than products with it.
+bool MobilityRoot::has_small_matrix() const {
+  constexpr std::size_t most_spheres = 24;
+  return scene_.radii.size() <= most_spheres && !scene_.domain.box && !scene_.domain.half_space &&
+         scene_.model != MobilityModel::oseen && scene_.model != MobilityModel::rpy_near &&
+         highest_moment(scene_) == 0;
+}
+
+RootProduct MobilityRoot::of_matrix(std::span<const Vec3> positions, std::uint64_t seed) const {
+  struct Sphere {
+    double radius;
+  };
+  std::vector<Sphere> spheres;
+  for (const double radius : scene_.radii) spheres.push_back({radius});
+  const Eigen::Map<const Eigen::Matrix3Xd> centres(positions[0].data(), 3, std::ssize(positions));
+  const auto factor = cholesky_factor(
+      mobility_matrix<Eigen::MatrixXd>(rotne_prager_tensor, spheres, centres, scene_.viscosity));
+  RootProduct result{.velocities = std::vector<Vec3>(positions.size(), Vec3::Zero())};
+  result.is_converged = factor.has_value();
+  if (factor)
+    flat(result.velocities) =
+        factor->triangularView<Eigen::Lower>() * normal_numbers(seed, positions.size(), 3);
+  broadcast_doubles(result.velocities[0].data(), 3 * std::ssize(result.velocities), communicator_);
+  return result;
+}
+
 RootProduct MobilityRoot::at(std::span<const Vec3> positions, std::uint64_t seed) {
   const std::size_t spheres = positions.size();
   if (split_) return of_split(positions, seed);
+  if (has_small_matrix()) return of_matrix(positions, seed);
   mobility_.set_positions(positions);
   RootProduct result{.velocities = std::vector<Vec3>(spheres, Vec3::Zero())};
   const int order = highest_moment(scene_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 // Linear systems and eigenvalues of dense matrices of any size. The decompositions of Eigen are compiled here
 // alone, because their templates take seconds in each file that uses them.
@@ -30,6 +31,10 @@ struct SymmetricModes {
 };
 
 bool is_positive_definite(const Eigen::MatrixXd& matrix);
+
+/// Returns the lower triangular matrix L with L L^T = matrix (Cholesky); nullopt if the matrix is not
+/// positive definite.
+std::optional<Eigen::MatrixXd> cholesky_factor(const Eigen::MatrixXd& matrix);
 
 /// Returns the solution x of a x = b for a positive definite matrix.
 Eigen::VectorXd solve_definite(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);

@@ -9,7 +9,8 @@
 #include "beadswim/mobility/mobility.hpp"
 
 // Root B of a mobility, B B^T = mu, applied to normally distributed numbers z. The velocities sqrt(2 kT/h) B
-// z are the thermal noise of a time step h. The root is found by products alone (method of Lanczos):
+// z are the thermal noise of a time step h. For few spheres in open space B is the triangular matrix of
+// Cholesky. Else the root is found by products alone (method of Lanczos):
 //
 //   M^(1/2) z = |z| V T^(1/2) e_1,   M = S^-1 mu S^-1,   B z = S M^(1/2) z
 //
@@ -53,6 +54,8 @@ class MobilityRoot {
   RootProduct at(std::span<const Vec3> positions, std::uint64_t seed);
 
  private:
+  bool has_small_matrix() const;
+  RootProduct of_matrix(std::span<const Vec3> positions, std::uint64_t seed) const;
   RootProduct of_split(std::span<const Vec3> positions, std::uint64_t seed);
 
   MobilityScene scene_;
