@@ -33,13 +33,16 @@ LanczosRoot lanczos_root(const std::function<Eigen::VectorXd(const Eigen::Vector
   constexpr Eigen::Index max_products = 100;
   const Eigen::Index size = z.size(), most = std::min(size, max_products);
   LanczosRoot result;
-  Eigen::MatrixXd basis = z.normalized(), T = Eigen::MatrixXd::Zero(most, most);
+  Eigen::MatrixXd columns(size, most), T = Eigen::MatrixXd::Zero(most, most);
+  columns.col(0) = z.normalized();
   Eigen::VectorXd root;  // T^(1/2) e_1
   for (Eigen::Index k = 0;; ++k) {
+    const auto basis = columns.leftCols(k + 1);
     Eigen::VectorXd next = apply(basis.col(k).cwiseQuotient(scale)).cwiseQuotient(scale);
     T.col(k).head(k + 1) = basis.transpose() * next;
     T.row(k).head(k + 1) = T.col(k).head(k + 1).transpose();
-    for (int pass = 0; pass < 2; ++pass) next -= basis * (basis.transpose() * next);
+    next.noalias() -= basis * T.col(k).head(k + 1);
+    next -= basis * (basis.transpose() * next);  // again, because the first result has roundoff
     const SymmetricModes modes(T.topLeftCorner(k + 1, k + 1));
     const Eigen::VectorXd before = root;
     root = first_column_of_root(modes);
@@ -55,14 +58,13 @@ LanczosRoot lanczos_root(const std::function<Eigen::VectorXd(const Eigen::Vector
     // Products have errors of about the tolerance, by which eigenvalues near zero can become negative.
     const bool is_positive = smallest > -10 * tolerance;
     if (result.error > tolerance && is_positive && k + 1 < most) {
-      basis.conservativeResize(Eigen::NoChange, k + 2);
-      basis.col(k + 1) = next.normalized();
+      columns.col(k + 1) = next.normalized();
       continue;
     }
     result.is_converged = result.error <= tolerance && is_positive;
     break;
   }
-  result.product = z.norm() * scale.cwiseProduct(basis * root);
+  result.product = z.norm() * scale.cwiseProduct(columns.leftCols(root.size()) * root);
   broadcast_doubles(result.product.data(), size, communicator);
   return result;
 }
