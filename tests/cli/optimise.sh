@@ -165,6 +165,9 @@ refuses 'leads to no number' beadswim-optimise paper.json --free /types/a/drivin
 refuses '"-" cannot be written' beadswim-optimise paper.json --free phase=0:1 --maximise velocity --trace -
 beadswim-layout shape sphere >sphere.json
 refuses 'gives no gap for this layout' beadswim-optimise sphere.json --free /types/sphere/beads/0/radius=1:2 --maximise velocity --subject-to gap=1:
+beadswim-layout swimmer --preset paper-single --unbounded --thermal-energy 0.02 >warm.json
+refuses 'runs by rpy are shorter than five persistence times.*increase --cycles' \
+  beadswim-optimise warm.json --free amplitude=0.1:0.2 --maximise effective_diffusion --model rpy --cycles 24
 beadswim-layout vary paper.json --over arm=20,9 >short.jsonl
 refuses 'short.jsonl line 2 with radius=.*overlap' beadswim-optimise short.jsonl --free radius=5:6 --maximise velocity
 

@@ -77,6 +77,12 @@ void Problem::require_outcomes(const Outcomes& outcomes, const std::string& eval
     if (outcomes.contains(outcome)) given.emplace_back(to_text(outcome));
   const auto require = [&](ResultQuantity outcome, Setting setting) {
     if (outcomes.contains(outcome)) return;
+    if (outcome == ResultQuantity::effective_diffusion &&
+        outcomes.contains(ResultQuantity::rotational_diffusion))
+      throw InputError(setting,
+                       fmt::format("runs by {} are shorter than five persistence times, from which on "
+                                   "they give {}; increase {}",
+                                   evaluator, to_text(outcome), Setting::cycles));
     throw InputError(setting, fmt::format("{} gives no {} for this layout; it gives {}", evaluator,
                                           to_text(outcome), joined(given, ", ")));
   };
