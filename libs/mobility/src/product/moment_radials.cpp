@@ -81,7 +81,18 @@ double height(int l, double a) {
 }
 
 double factorial(std::size_t n) {
-  return std::tgamma(static_cast<double>(n) + 1);
+  double product = 1;
+  for (std::size_t k = 2; k <= n; ++k) product *= static_cast<double>(k);
+  return product;
+}
+
+/// Powers x^0, x^1, ... of a number.
+using Powers = std::array<double, 2 * highest_of_pairs + 2>;
+
+Powers powers_of(double x) {
+  Powers powers{1};
+  for (std::size_t n = 1; n < powers.size(); ++n) powers[n] = x * powers[n - 1];
+  return powers;
 }
 
 /// Returns r X(r), by powers of r, if the sphere of radius b with moments of degree m is inside the sphere of
@@ -89,17 +100,18 @@ double factorial(std::size_t n) {
 Polynomial inside(int l, int m, double a, double b) {
   const Polynomial p = power({1, 0, -1 / (a * a)}, l),
                    q = power({1, 0, -1 / (b * b)}, m);  // even powers only
+  const Powers of_a = powers_of(a), of_b = powers_of(b);
   Polynomial H(p.size() + 3, 0.0);  // integral of p_l(s) (y + s) |y + s| ds, by powers of y
   for (std::size_t n = 0; n < p.size(); n += 2) {
     const double coefficient = 4 * height(l, a) * p[n], k = static_cast<double>(n);
-    H[1] += coefficient * std::pow(a, k + 2) / (k + 2);
+    H[1] += coefficient * of_a[n + 2] / (k + 2);
     H[n + 3] += coefficient / ((k + 1) * (k + 2) * (k + 3));
   }
   const auto moment = [&](std::size_t k) {  // mean of t^k over p_m(t)
     double sum = 0;
     for (std::size_t n = 0; n < q.size(); n += 2) {
-      const double exponent = static_cast<double>(n + k + 1);
-      sum += 2 * height(m, b) * q[n] * std::pow(b, exponent) / exponent;
+      const std::size_t exponent = n + k + 1;
+      sum += 2 * height(m, b) * q[n] * of_b[exponent] / static_cast<double>(exponent);
     }
     return sum;
   };
@@ -123,15 +135,16 @@ Polynomial outside_part(int l, int m, double a, double b) {
 }
 
 /// Adds ((1/r) d/dr)^n of coefficient v^k/r, with dv/dr = 1, to derivatives[n] for all n. Each derivative is
-/// a sum of terms v^(k - j) r^-(2 n + 1 - j).
-void add_derivatives(double coefficient, std::size_t k, double v, double r, double* derivatives) {
+/// a sum of terms v^(k - j) r^-(2 n + 1 - j). Arguments: powers of v and of 1/r.
+void add_derivatives(double coefficient, std::size_t k, const Powers& v, const Powers& inverse_r,
+                     double* derivatives) {
   std::array<double, highest_of_pairs + 2> terms{coefficient};  // coefficient of term j
   for (int n = 0; n <= highest_of_pairs; ++n) {
     std::array<double, highest_of_pairs + 2> next{};
     for (int j = 0; j <= n; ++j) {
       if (terms[j] == 0) continue;
       const int exponent = static_cast<int>(k) - j, inverse = 2 * n + 1 - j;
-      derivatives[n] += terms[j] * std::pow(v, exponent) * std::pow(r, -inverse);
+      derivatives[n] += terms[j] * v[exponent] * inverse_r[inverse];
       next[j + 1] += exponent * terms[j];
       next[j] -= inverse * terms[j];
     }
@@ -140,9 +153,9 @@ void add_derivatives(double coefficient, std::size_t k, double v, double r, doub
 }
 
 /// Adds ((1/r) d/dr)^n of coefficient r^exponent to derivatives[n] for all n; exponent is even, 0 or more.
-void add_even_power(double coefficient, int exponent, double r, double* derivatives) {
+void add_even_power(double coefficient, int exponent, const Powers& r, double* derivatives) {
   for (int n = 0; n <= highest_of_pairs && exponent >= 0; ++n, exponent -= 2) {
-    derivatives[n] += coefficient * std::pow(r, exponent);
+    derivatives[n] += coefficient * r[exponent];
     coefficient *= exponent;
   }
 }
@@ -153,18 +166,20 @@ MomentRadials overlap_radials(int l, int m, double a, double b, double r, double
   if (a < b) return overlap_radials(m, l, b, a, r, viscosity);
   MomentRadials f;
   const Polynomial contained = inside(l, m, a, b);
+  const Powers of_r = powers_of(r);
   for (std::size_t k = 1; k < contained.size(); k += 2) {
     const double c = unit(viscosity) * contained[k], n = static_cast<double>(k);
-    add_even_power(c, static_cast<int>(k) - 1, r, f.chi);
-    if (k >= 3) add_even_power(c * n * (n - 1), static_cast<int>(k) - 3, r, f.laplacian);
+    add_even_power(c, static_cast<int>(k) - 1, of_r, f.chi);
+    if (k >= 3) add_even_power(c * n * (n - 1), static_cast<int>(k) - 3, of_r, f.laplacian);
   }
   const double v = r - (a - b);
   if (v <= 0) return f;
   const Polynomial outside = outside_part(l, m, a, b);
+  const Powers of_v = powers_of(v), of_inverse = powers_of(1 / r);
   for (std::size_t k = 4; k < outside.size(); ++k) {
     const double c = unit(viscosity) * outside[k], n = static_cast<double>(k);
-    add_derivatives(c, k, v, r, f.chi);
-    add_derivatives(c * n * (n - 1), k - 2, v, r, f.laplacian);
+    add_derivatives(c, k, of_v, of_inverse, f.chi);
+    add_derivatives(c * n * (n - 1), k - 2, of_v, of_inverse, f.laplacian);
   }
   return f;
 }
