@@ -60,11 +60,10 @@ std::vector<Group> make_groups(const BenchRequest& request, int ranks, double av
     }
     for (const Precision precision : request.precisions) {
       if (!fits({precision})) {
-        throw InputError(
-            "--edge",
-            fmt::format("a lattice with an edge of {} cells needs {:.1f} GB per rank in {} "
-                        "precision, more than the {:.1f} GB that are free; use a smaller edge",
-                        edge, 1e-9 * lattice_bytes(edge, {precision}), to_text(precision), 1e-9 * available));
+        throw InputError("--edge",
+                         "a lattice with an edge of {} cells needs {:.1f} GB per rank in {} precision, more "
+                         "than the {:.1f} GB that are free; use a smaller edge",
+                         edge, 1e-9 * lattice_bytes(edge, {precision}), to_text(precision), 1e-9 * available);
       }
       groups.push_back({edge, ranks, {precision}});
     }

@@ -1,7 +1,5 @@
 #include "comparison_inputs.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
@@ -19,9 +17,10 @@ namespace {
 std::vector<SceneDifference> require_same_scene(const RunFile& run, const SourceDocument& reference,
                                                 const std::vector<std::string>& allowed) {
   if (run.record.units != units_of(reference.document)) {
-    throw InputError(reference.source, fmt::format("the reference has other units of length, time or mass "
-                                                   "than {}; compare files made from the same layout",
-                                                   run.source));
+    throw InputError(reference.source,
+                     "the reference has other units of length, time or mass than {}; compare files made from "
+                     "the same layout",
+                     run.source);
   }
   const std::vector<SceneDifference> differences = scene_differences(run.record, reference.document);
   std::vector<std::string> names, refused;
@@ -31,9 +30,9 @@ std::vector<SceneDifference> require_same_scene(const RunFile& run, const Source
   }
   if (refused.empty()) return differences;
   throw InputError(reference.source,
-                   fmt::format("the reference was not made from the layout of the run {}: {}; compare files "
-                               "made from the same layout, or allow differences with --allow-difference {}",
-                               run.source, joined(refused, "; "), joined(names, ",")));
+                   "the reference was not made from the layout of the run {}: {}; compare files made from "
+                   "the same layout, or allow differences with --allow-difference {}",
+                   run.source, joined(refused, "; "), joined(names, ","));
 }
 
 // --- References of one swimmer
@@ -100,9 +99,9 @@ References references_for(int swimmer, const ComparisonInputs& inputs, const Com
   references.own = references.all.size();
   if (references.all.empty())
     throw InputError(reference.source,
-                     fmt::format("the predictions are for swimmer {}, and not valid for swimmer {}; predict "
-                                 "with beadswim-theory --swimmer {}",
-                                 swimmers_of(reference.document).front(), swimmer, swimmer));
+                     "the predictions are for swimmer {}, and not valid for swimmer {}; predict with "
+                     "beadswim-theory --swimmer {}",
+                     swimmers_of(reference.document).front(), swimmer, swimmer);
   for (const SourceDocument& file : std::span(inputs.references).subspan(1)) {
     const std::vector<Reference> more = references_for(swimmer, file, run, request);
     references.all.insert(references.all.end(), more.begin(), more.end());
@@ -119,14 +118,14 @@ std::size_t reference_named(const std::string& method, std::span<const Reference
   if (found == references.end()) {
     std::vector<std::string> names;
     for (const Reference& reference : references) names.push_back(reference.method);
-    throw InputError("--method",
-                     fmt::format("no reference contains the method \"{}\"{} Available methods: {}", method,
-                                 format_suggestion(method, names), joined(names, ", ")));
+    throw InputError("--method", "no reference contains the method \"{}\"{} Available methods: {}", method,
+                     format_suggestion(method, names), joined(names, ", "));
   }
   if (!found->usable) {
-    throw InputError("--method", fmt::format("the method \"{}\" is marked unusable for this layout in {} and "
-                                             "cannot decide the verdict; name another method",
-                                             method, found->source));
+    throw InputError("--method",
+                     "the method \"{}\" is marked unusable for this layout in {} and cannot decide the "
+                     "verdict; name another method",
+                     method, found->source);
   }
   return static_cast<std::size_t>(found - references.begin());
 }
@@ -153,10 +152,10 @@ void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const Compar
   std::erase_if(request.quantities,
                 [&](ResultQuantity quantity) { return !in_runs.front().results.contains(quantity); });
   if (request.quantities.empty())
-    throw InputError(in_runs.front().source, fmt::format("swimmer {} has none of the compared quantities "
-                                                         "(arm amplitudes need one arm, a phase shift two); "
-                                                         "select another one with --quantity",
-                                                         id));
+    throw InputError(in_runs.front().source,
+                     "swimmer {} has none of the compared quantities (arm amplitudes need one arm, a phase "
+                     "shift two); select another one with --quantity",
+                     id);
   const std::size_t deciding = deciding_reference(request, references);
   result.decided_by = references.all[deciding].method;
   for (const RunSwimmer& in_run : in_runs) {
@@ -198,11 +197,10 @@ VerdictDocument compare(const ComparisonInputs& inputs, const ComparisonRequest&
       request.swimmer ? std::vector{*request.swimmer} : swimmers_of(inputs.references.front().document);
   for (const int id : ids) compare_swimmer_in_all_runs(id, request, inputs, result);
   if (result.rows.empty())
-    throw InputError(
-        inputs.runs.front().source,
-        fmt::format("no compared quantity is defined: the method \"{}\" does not state it, or it "
-                    "is the phase of an arm that does not move; select another --quantity",
-                    result.decided_by));
+    throw InputError(inputs.runs.front().source,
+                     "no compared quantity is defined: the method \"{}\" does not state it, or it is the "
+                     "phase of an arm that does not move; select another --quantity",
+                     result.decided_by);
   return result;
 }
 

@@ -33,9 +33,10 @@ ComparisonFiles::File ComparisonFiles::open(const std::string& path) {
 
 ComparisonFiles::ComparisonFiles(const ComparisonRequest& request) {
   if (request.files.size() < 2) {
-    throw InputError("RUN... REFERENCE", fmt::format("{} is given; name at least one run record, and after "
-                                                     "the run records the reference for the comparison",
-                                                     request.files.empty() ? "no file" : "one file"));
+    throw InputError("RUN... REFERENCE",
+                     "{} is given; name at least one run record, and after the run records the reference for "
+                     "the comparison",
+                     request.files.empty() ? "no file" : "one file");
   }
   std::vector<std::string> all = request.files;
   all.insert(all.end(), request.further_references.begin(), request.further_references.end());

@@ -29,10 +29,10 @@ std::vector<RunFile> read_runs(const std::vector<std::string>& files) {
 void require_usable(const RunFile& run, const RunFile& first) {
   require_success(run.record, run.source);
   if (run.record.units != first.record.units)
-    throw InputError(run.source,
-                     fmt::format("the units of this file differ from the units of {}; all runs of "
-                                 "a table must have the same units",
-                                 first.source));
+    throw InputError(
+        run.source,
+        "the units of this file differ from the units of {}; all runs of a table must have the same units",
+        first.source);
 }
 
 /// Returns the names of the quantities in the studies of the runs, in order.

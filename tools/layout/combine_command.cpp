@@ -19,9 +19,8 @@ struct CombineFlags {
 /// Parses "ANGLE AXIS", such as "90deg z" or "1.5 0,1,1".
 Eigen::Quaterniond parse_turn(const std::string& text) {
   const auto refuse = [&text](const std::string& why) {
-    throw InputError("--rotate", fmt::format("\"{}\": {}; write \"ANGLE AXIS\", such as \"90deg z\" or "
-                                             "\"90deg 0,1,1\"",
-                                             text, why));
+    throw InputError("--rotate", "\"{}\": {}; write \"ANGLE AXIS\", such as \"90deg z\" or \"90deg 0,1,1\"",
+                     text, why);
   };
   const std::vector<std::string> parts = split_at(' ', text);
   if (parts.size() != 2) refuse("the value needs an angle and an axis");
@@ -41,9 +40,10 @@ Eigen::Quaterniond parse_turn(const std::string& text) {
 std::size_t first_with_value(const std::string& flag, std::size_t values, std::size_t layouts) {
   if (values == 0 || values == layouts) return 0;
   if (values + 1 == layouts) return 1;
-  throw InputError(flag, fmt::format("the flag is given {} times for {} layouts; give it once for each "
-                                     "layout, or once for each but the first",
-                                     values, layouts));
+  throw InputError(flag,
+                   "the flag is given {} times for {} layouts; give it once for each layout, or once for "
+                   "each but the first",
+                   values, layouts);
 }
 
 /// Adds the values of a study; a quantity with different values in two layouts is no longer one of a study.

@@ -92,8 +92,8 @@ MadeLayout made_layout(const Json& made_by, const std::string& source) {
   for (const std::string& word : split_at(' ', command)) arguments.push_back(word);
   for (const auto& [name, value] : made_by["parameters"].items()) {
     if (!known.contains(name))
-      throw InputError(source + ":/made_by",
-                       fmt::format("\"{}\" has no flag --{}; remove the key made_by", command, name));
+      throw InputError(source + ":/made_by", "\"{}\" has no flag --{}; remove the key made_by", command,
+                       name);
     arguments.push_back(flag_text(name, value));
   }
   std::vector<const char*> words;
@@ -102,9 +102,8 @@ MadeLayout made_layout(const Json& made_by, const std::string& source) {
   parse_command_line(*makers.program, static_cast<int>(words.size()), words.data());
   for (const Command& maker : makers.commands)
     if (maker.flags->parsed()) return {.layout = maker.make(), .made_by = made_by_record(*makers.program)};
-  throw InputError(
-      source + ":/made_by/command",
-      fmt::format("there is no command \"{}\" that makes layouts; remove the key made_by", command));
+  throw InputError(source + ":/made_by/command",
+                   "there is no command \"{}\" that makes layouts; remove the key made_by", command);
 }
 
 }  // namespace beadswim

@@ -32,10 +32,10 @@ void reduce_to_cell(Layout& layout, double tolerance) {
 
 void put_in_box(Layout& layout, const std::string& lengths) {
   if (layout.swimmers.size() != 1)
-    throw InputError("--box",
-                     fmt::format("the layout has {} swimmers, but only a single swimmer can be put in "
-                                 "another box; leave the flag out",
-                                 layout.swimmers.size()));
+    throw InputError(
+        "--box",
+        "the layout has {} swimmers, but only a single swimmer can be put in another box; leave the flag out",
+        layout.swimmers.size());
   if (has_background_flow(layout))
     throw InputError(
         "--box",

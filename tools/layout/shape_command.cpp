@@ -195,10 +195,10 @@ void require_own_numbers(const CLI::App& kind, const Units& units) {
     if (kind.get_option(flag)->empty()) missing.emplace_back(flag);
   }
   if (missing.empty()) return;
-  throw InputError("--units",
-                   fmt::format("the defaults of other flags are for the units \"lattice\"; give {} "
-                               "in the units {}, {} and {} too",
-                               joined(missing, ", "), units.length.name, units.time.name, units.mass.name));
+  throw InputError(
+      "--units",
+      "the defaults of other flags are for the units \"lattice\"; give {} in the units {}, {} and {} too",
+      joined(missing, ", "), units.length.name, units.time.name, units.mass.name);
 }
 
 /// One kind of swimmer. `type` makes its type in a fluid.

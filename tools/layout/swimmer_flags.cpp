@@ -22,9 +22,10 @@ Units parse_units(const std::string& text, const std::string& flag) {
   if (text.empty() || text == "lattice") return {};
   const std::vector<std::string> names = split_at_commas(text);
   if (names.size() != 3) {
-    throw InputError(flag, fmt::format("\"{}\": the value must be \"lattice\", or the names of the "
-                                       "units of length, time and mass, such as um,s,pg",
-                                       text));
+    throw InputError(flag,
+                     "\"{}\": the value must be \"lattice\", or the names of the units of length, time and "
+                     "mass, such as um,s,pg",
+                     text);
   }
   return {.lattice = false,
           .length = unit_named(Quantity::length, names[0], flag),

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -99,10 +97,9 @@ class SwimmerFlags {
         !values.contains("density"))
       throw InputError(
           "--units",
-          fmt::format("the preset is in lattice units, and its numbers are converted; give one --radius, "
-                      "--viscosity and --density in the units {}, {} and {}, from which the sizes of its "
-                      "units follow",
-                      units.length.name, units.time.name, units.mass.name));
+          "the preset is in lattice units, and its numbers are converted; give one --radius, --viscosity and "
+          "--density in the units {}, {} and {}, from which the sizes of its units follow",
+          units.length.name, units.time.name, units.mass.name);
     const Layout preset = preset_layout();
     Fluid fluid = preset.fluid;
     quantities_.apply(fluid);
@@ -120,10 +117,9 @@ class SwimmerFlags {
         missing.push_back("--" + quantity.name);
     missing.insert(missing.end(), other_missing_flags.begin(), other_missing_flags.end());
     if (missing.empty()) return;
-    throw InputError(
-        "command line",
-        fmt::format("required flags are missing: {}; give these flags, or start from --preset {}",
-                    joined(missing, ", "), presets_.front().name));
+    throw InputError("command line",
+                     "required flags are missing: {}; give these flags, or start from --preset {}",
+                     joined(missing, ", "), presets_.front().name);
   }
 
   Layout preset_layout() const {
@@ -192,9 +188,10 @@ SwarmPlan plan_of(const SwarmFlags& flags) {
   if (!flags.block_gap.empty()) plan.block_gap = parse_vector(flags.block_gap);
   const double swimmers = plan.block_swimmers.cast<double>().prod() * plan.blocks.cast<double>().prod();
   if (swimmers > max_swimmers) {
-    throw InputError("--blocks", fmt::format("the blocks have {:g} swimmers in total, but at most {:g} are "
-                                             "possible; use fewer or smaller blocks",
-                                             swimmers, max_swimmers));
+    throw InputError(
+        "--blocks",
+        "the blocks have {:g} swimmers in total, but at most {:g} are possible; use fewer or smaller blocks",
+        swimmers, max_swimmers);
   }
   return plan;
 }

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <cmath>
 #include <map>
 
@@ -35,10 +33,8 @@ Size parse_size(const std::string& text, Quantity quantity, const std::string& f
   const std::size_t end = text.find_last_of("0123456789.") + 1;
   Size size;
   if (!finite_positive()(text.substr(0, end)).empty())
-    throw InputError(flag,
-                     fmt::format("\"{}\": the value must be a number greater than 0, which the name of a "
-                                 "unit may follow",
-                                 text));
+    throw InputError(
+        flag, "\"{}\": the value must be a number greater than 0, which the name of a unit may follow", text);
   size.number = parse_numbers(text.substr(0, end)).front();
   if (end < text.size()) size.unit = &unit_named(quantity, text.substr(end), flag);
   return size;
@@ -49,9 +45,8 @@ void require_flags(const UnitsFlags& flags, const std::string& conversion, bool 
                    bool scales) {
   const auto require = [&](const char* flag, bool is_given, bool is_needed) {
     if (is_given == is_needed) return;
-    throw InputError(flag,
-                     fmt::format("{} {} this flag; {}", conversion, is_needed ? "needs" : "does not use",
-                                 is_needed ? "give it" : "leave it out"));
+    throw InputError(flag, "{} {} this flag; {}", conversion, is_needed ? "needs" : "does not use",
+                     is_needed ? "give it" : "leave it out");
   };
   require("--cell", !flags.cell.empty(), scales);
   require("--step", !flags.step.empty(), step);

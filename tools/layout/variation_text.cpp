@@ -17,7 +17,7 @@ namespace {
 constexpr const char* over = "--over";
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why) {
-  throw InputError(over, fmt::format("\"{}\": {}", text, why));
+  throw InputError(over, "\"{}\": {}", text, why);
 }
 
 /// Returns the number, an angle with the ending deg in radian; nullopt if the text is no finite number.
@@ -108,8 +108,7 @@ CoupledVariation parse_variation(const std::string& text) {
 KeptRelation parse_relation(const std::string& text) {
   const std::size_t sign = text.find_first_of("+*:");
   if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
-    throw InputError("--keep",
-                     fmt::format("\"{}\": write A+B, A*B or A:B, with two names as in --over", text));
+    throw InputError("--keep", "\"{}\": write A+B, A*B or A:B, with two names as in --over", text);
   return {.first = parameter_name(text.substr(0, sign), "--keep"),
           .second = parameter_name(text.substr(sign + 1), "--keep"),
           .sign = text[sign]};
@@ -119,9 +118,8 @@ void require_equal_counts(const std::vector<Variation>& variations) {
   const Variation& first = variations.front();
   for (const Variation& variation : variations)
     if (variation.values.size() != first.values.size())
-      throw InputError("--together",
-                       fmt::format("\"{}\" has {} values and \"{}\" has {}; give equally many", first.name,
-                                   first.values.size(), variation.name, variation.values.size()));
+      throw InputError("--together", "\"{}\" has {} values and \"{}\" has {}; give equally many", first.name,
+                       first.values.size(), variation.name, variation.values.size());
 }
 
 }  // namespace beadswim

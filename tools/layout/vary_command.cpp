@@ -37,9 +37,9 @@ struct VariedLayout {
     }
     if (value.is_number()) return value.get<double>();
     throw InputError("--keep",
-                     fmt::format("{} does not state one number for \"{}\"; name a number by its JSON "
-                                 "pointer, or give the flag when you make the layout",
-                                 source, name));
+                     "{} does not state one number for \"{}\"; name a number by its JSON pointer, or give "
+                     "the flag when you make the layout",
+                     source, name);
   }
 };
 
@@ -60,7 +60,7 @@ void add_others(StudyPoint& point, const std::vector<CoupledVariation>& variatio
     const Json value = first->second;
     for (const auto& [name, sign] : variation.others) {
       if (sign < 0 && !value.is_number())
-        throw InputError("--over", fmt::format("\"{}\" has no opposite; give numbers", value.dump()));
+        throw InputError("--over", "\"{}\" has no opposite; give numbers", value.dump());
       point.emplace_back(name, sign < 0 ? Json(-value.get<double>()) : value);
     }
   }
@@ -74,8 +74,8 @@ void add_kept(StudyPoint& point, const KeptRelation& relation, const VariedLayou
   const bool has_first = find(relation.first) != point.end(),
              has_second = find(relation.second) != point.end();
   if (has_first == has_second)
-    throw InputError("--keep", fmt::format("{} of \"{}\" and \"{}\" is varied; vary exactly one of them",
-                                           has_first ? "each" : "none", relation.first, relation.second));
+    throw InputError("--keep", "{} of \"{}\" and \"{}\" is varied; vary exactly one of them",
+                     has_first ? "each" : "none", relation.first, relation.second);
   const std::string &varied = has_first ? relation.first : relation.second,
                     &other = has_first ? relation.second : relation.first;
   const Json& value = find(varied)->second;
@@ -85,10 +85,9 @@ void add_kept(StudyPoint& point, const KeptRelation& relation, const VariedLayou
                       : relation.sign == '*' ? a * b / number
                                              : number / before * (has_first ? b : a);
   if (!std::isfinite(kept))
-    throw InputError(
-        "--keep",
-        fmt::format("\"{}\" has the value {}, from which \"{}\" does not follow; give other numbers", varied,
-                    value.dump(), other));
+    throw InputError("--keep",
+                     "\"{}\" has the value {}, from which \"{}\" does not follow; give other numbers", varied,
+                     value.dump(), other);
   point.emplace_back(other, kept);
 }
 
@@ -100,7 +99,7 @@ LayoutDocument varied(const VariedLayout& layout, const StudyPoint& point) {
     if (layout.parameters.contains(name)) {
       if (const NamedQuantity* quantity = find_quantity(name))
         if (const std::string fault = value_fault(*quantity, value); !fault.empty())
-          throw InputError("--over", fmt::format("{}: {}", name, fault));
+          throw InputError("--over", "{}: {}", name, fault);
       made.emplace_back(name, value);
       continue;
     }

@@ -95,9 +95,9 @@ void add_to_map(const Results& results, const Json& study, const AgainstFlags& f
   for (std::size_t i = 0; i < count; ++i) {
     if (map[i].emplace(point, found->second.numbers[i]).second) continue;
     throw InputError(source,
-                     fmt::format("a second value for {} = {:g}, {} = {:g}; a map shows one value per point: "
-                                 "name one method with --method, or files of one study and one model",
-                                 flags.x, point.first, flags.y, point.second));
+                     "a second value for {} = {:g}, {} = {:g}; a map shows one value per point: name one "
+                     "method with --method, or files of one study and one model",
+                     flags.x, point.first, flags.y, point.second);
   }
 }
 
@@ -172,8 +172,8 @@ Figure map_figure(const PlotInputs& inputs, const AgainstFlags& flags) {
 
 ResultQuantity result_named(const std::string& name) {
   if (const auto result = value_named<ResultQuantity>(name)) return *result;
-  throw InputError("--y", fmt::format("{}; a second quantity of the study needs --colour",
-                                      format_unknown_name(name, all_names<ResultQuantity>())));
+  throw InputError("--y", "{}; a second quantity of the study needs --colour",
+                   format_unknown_name(name, all_names<ResultQuantity>()));
 }
 
 Figure drawn_figure(const PlotFiles& files, const AgainstFlags& flags) {

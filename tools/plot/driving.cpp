@@ -33,19 +33,17 @@ Relation relation_to_reference(const PlotInputs& inputs, AbscissaKind abscissa) 
     for (const PlottedPrediction& reference : inputs.references) {
       if (std::abs(abscissa_of(reference, {abscissa}) - point.x) > tolerance * std::abs(point.x)) continue;
       if (found != nullptr && found->prediction().velocity != reference.prediction().velocity)
-        throw InputError(
-            reference.source,
-            fmt::format("the predicted velocity differs from the velocity in {}, although both "
-                        "predictions are by {} at {} = {:g}; give only one of the two files",
-                        found->source, reference.prediction().method, to_text(abscissa), point.x));
+        throw InputError(reference.source,
+                         "the predicted velocity differs from the velocity in {}, although both predictions "
+                         "are by {} at {} = {:g}; give only one of the two files",
+                         found->source, reference.prediction().method, to_text(abscissa), point.x);
       found = &reference;
     }
     if (found == nullptr)
       throw InputError(
           point.source,
-          fmt::format(
-              "there is no prediction by {} at {} = {:g} to compare the velocity with; add such a prediction",
-              inputs.references.front().prediction().method, to_text(abscissa), point.x));
+          "there is no prediction by {} at {} = {:g} to compare the velocity with; add such a prediction",
+          inputs.references.front().prediction().method, to_text(abscissa), point.x);
     const Prediction& reference = found->prediction();
     return CurvePoint{.x = point.x,
                       .y = 100 * (velocity.y / reference.velocity - 1),
@@ -102,14 +100,15 @@ std::vector<DrawnNumber> amplitudes_of(std::vector<int> wanted, std::size_t bond
     std::iota(wanted.begin(), wanted.end(), 1);
   }
   if (wanted.size() > max_drawn)
-    throw InputError("--bonds", fmt::format("the figure would show {} bonds, but at most {} can be "
-                                            "distinguished; name fewer bonds, for example --bonds 1,2",
-                                            wanted.size(), max_drawn));
+    throw InputError("--bonds",
+                     "the figure would show {} bonds, but at most {} can be distinguished; name fewer bonds, "
+                     "for example --bonds 1,2",
+                     wanted.size(), max_drawn);
   std::vector<DrawnNumber> amplitudes;
   for (const int bond : wanted) {
     if (bond > static_cast<int>(bonds))
-      throw InputError("--bonds", fmt::format("no swimmer has a bond {}; the swimmers have the bonds 1 to {}",
-                                              bond, bonds));
+      throw InputError("--bonds", "no swimmer has a bond {}; the swimmers have the bonds 1 to {}", bond,
+                       bonds);
     amplitudes.push_back({.quantity = ResultQuantity::arm_amplitudes,
                           .number = static_cast<std::size_t>(bond - 1),
                           .before = "d" + subscript(bond) + ", ",

@@ -93,11 +93,9 @@ void add_panel(const SceneErrors& errors, ResultQuantity quantity, const std::st
   if (drawn.empty())
     throw InputError(
         removed.front().source,
-        fmt::format(
-            "the run has an error of {:g} in the {} and a cost of {:g} {}, but a logarithmic axis "
-            "needs positive finite numbers; leave this file out if it is the reference itself, or draw "
-            "another quantity",
-            removed.front().error, quantity_name, removed.front().cost, cost));
+        "the run has an error of {:g} in the {} and a cost of {:g} {}, but a logarithmic axis needs positive "
+        "finite numbers; leave this file out if it is the reference itself, or draw another quantity",
+        removed.front().error, quantity_name, removed.front().cost, cost);
   const bool has_uncertainty = errors.uncertainties.contains(quantity);
   const double uncertainty = has_uncertainty ? errors.uncertainties.at(quantity) : 0;
   const std::vector<ErrorPoint> front = pareto_front(drawn, uncertainty);

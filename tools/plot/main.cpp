@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 
@@ -109,9 +107,10 @@ constexpr std::array kinds{
 
 void require_figure_path(const std::string& path) {
   if (path == "-" || path.ends_with(".svg") || path.ends_with(".png") || path.ends_with(".pdf")) return;
-  throw InputError("--output", fmt::format("the file name \"{}\" does not end in .svg, .png or .pdf; give a "
-                                           "name with one of these endings, or - for SVG on standard output",
-                                           path));
+  throw InputError("--output",
+                   "the file name \"{}\" does not end in .svg, .png or .pdf; give a name with one of these "
+                   "endings, or - for SVG on standard output",
+                   path);
 }
 
 void require_data_path(const PlotFiles& files) {

@@ -1,7 +1,5 @@
 #include "plot_inputs.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 #include "beadswim/compare/comparison.hpp"
@@ -59,13 +57,13 @@ void add_method(const Prediction& prediction, Names& methods) {
 void require_known(const std::string& method, const std::string& flag, const Names& known) {
   if (contains(known, method)) return;
   if (known.empty()) {
-    throw InputError(flag, fmt::format("the method \"{}\" names the predictions to draw, but no file of "
-                                       "predictions is given; add a file that beadswim-theory printed",
-                                       method));
+    throw InputError(flag,
+                     "the method \"{}\" names the predictions to draw, but no file of predictions is given; "
+                     "add a file that beadswim-theory printed",
+                     method);
   }
-  throw InputError(
-      flag, fmt::format("no prediction has the method \"{}\"{} The predictions have the methods {}", method,
-                        format_suggestion(method, known), joined(known, ", ")));
+  throw InputError(flag, "no prediction has the method \"{}\"{} The predictions have the methods {}", method,
+                   format_suggestion(method, known), joined(known, ", "));
 }
 
 /// Replaces the method name "all" by the methods of all documents. Throws InputError if none of them has a
@@ -108,14 +106,15 @@ void append(RunRecord run, const std::string& source, const CycleChoice& cycle, 
 void require_same_units(const Units& units, const std::string& source, const Units& first,
                         const std::string& first_source) {
   if (units == first) return;
-  throw InputError(source, fmt::format("the units of this file differ from the units of {}; all files of a "
-                                       "figure must have the same units",
-                                       first_source));
+  throw InputError(
+      source,
+      "the units of this file differ from the units of {}; all files of a figure must have the same units",
+      first_source);
 }
 
 std::string only_file(const std::vector<std::string>& files, const std::string& rule) {
   if (files.size() == 1) return files.front();
-  throw InputError("FILES", fmt::format("{} files are given; {}; give one file", files.size(), rule));
+  throw InputError("FILES", "{} files are given; {}; give one file", files.size(), rule);
 }
 
 std::vector<Json> PlotInputs::studies() const {

@@ -64,9 +64,10 @@ double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, const Ab
   const bool is_phase = abscissa.kind == AbscissaKind::phase;
   if (driving.amplitude && (!is_phase || driving.phase))
     return is_phase ? *driving.phase : (*driving.amplitude)[0] / (*driving.amplitude)[1];
-  throw InputError(run.source, fmt::format("the run record lacks the {}, the abscissa of the figure; leave "
-                                           "the run out, or draw the figure with --against cycle",
-                                           axis_label(abscissa, run.record.units).quantity));
+  throw InputError(run.source,
+                   "the run record lacks the {}, the abscissa of the figure; leave the run out, or draw the "
+                   "figure with --against cycle",
+                   axis_label(abscissa, run.record.units).quantity);
 }
 
 /// Returns the smallest number of digits, at least 4, with which the values of a quantity of the study have
@@ -173,8 +174,8 @@ double number_in_study(const Json& study, const std::string& name, const std::st
                        const std::string& flag) {
   const Json value = study_value(study, name, source, flag);
   if (value.is_number()) return value.get<double>();
-  throw InputError(flag, fmt::format("\"{}\" is the word {} in {}, not a number; use it with --group-by",
-                                     name, value.dump(), source));
+  throw InputError(flag, "\"{}\" is the word {} in {}, not a number; use it with --group-by", name,
+                   value.dump(), source);
 }
 
 double abscissa_of(const PlottedPrediction& plotted, const Abscissa& abscissa) {
@@ -185,9 +186,9 @@ double abscissa_of(const PlottedPrediction& plotted, const Abscissa& abscissa) {
   const std::string hint =
       abscissa.kind == AbscissaKind::amplitude_ratio ? " (it is left out where B = 0)" : "";
   throw InputError(plotted.source,
-                   fmt::format("the prediction by {} lacks the setting \"{}\", which is the abscissa of the "
-                               "figure{}; leave the prediction out, or predict again with beadswim-theory",
-                               plotted.prediction().method, key, hint));
+                   "the prediction by {} lacks the setting \"{}\", which is the abscissa of the figure{}; "
+                   "leave the prediction out, or predict again with beadswim-theory",
+                   plotted.prediction().method, key, hint);
 }
 
 DrawnResults results_against(const PlotInputs& inputs, const Abscissa& abscissa, const CycleChoice& cycle,
@@ -260,9 +261,8 @@ void average_over(const std::string& asked, const PlotInputs& inputs, DrawnResul
   };
   const std::string name = !has(asked) && has("/" + asked) ? "/" + asked : asked;
   if (!has(name))
-    throw InputError(
-        "--mean-over",
-        fmt::format("\"{}\" is not varied in any file; name what beadswim-layout vary has varied", asked));
+    throw InputError("--mean-over",
+                     "\"{}\" is not varied in any file; name what beadswim-layout vary has varied", asked);
   for (auto* all : {&drawn.runs, &drawn.predictions})
     for (ResultSeries& series : *all) {
       std::vector<std::vector<ResultPoint>> groups;

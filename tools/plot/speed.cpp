@@ -52,9 +52,10 @@ void require_one_scene(const PlottedRun& run, const SourceDocument& other) {
   for (const SceneDifference& difference : find_differences(run.record, other.document))
     words.push_back(in_words(difference));
   if (words.empty()) return;
-  throw InputError(other.source, fmt::format("the scene differs from the scene of {}: {}; all files of this "
-                                             "figure must have the same scene",
-                                             run.source, joined(words, "; ")));
+  throw InputError(
+      other.source,
+      "the scene differs from the scene of {}: {}; all files of this figure must have the same scene",
+      run.source, joined(words, "; "));
 }
 
 /// Returns the relative uncertainty of a quantity of the reference: of a prediction the largest of its
@@ -120,9 +121,8 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
     throw InputError(file, "with several references, each must be a run record, which states its scene");
   if (read.units != inputs.units)
     throw InputError(
-        file,
-        fmt::format("the units of the reference differ from the units of {}; make both files from one layout",
-                    inputs.runs.front().source));
+        file, "the units of the reference differ from the units of {}; make both files from one layout",
+        inputs.runs.front().source);
   ComparedScene scene;
   const SourceDocument reference = read.runs.empty()
                                        ? take_reference(read.predictions[0], scene)
@@ -185,9 +185,10 @@ void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
   const auto &a = run.record.resolution, &b = other.record.resolution;
   if (!a || (a->radius_on_lattice == b->radius_on_lattice && a->density_on_lattice == b->density_on_lattice))
     return;
-  throw InputError(run.source, fmt::format("this run differs from the run {} only in --radius-correction or "
-                                           "--delay-correction; draw the two runs in separate figures",
-                                           other.source));
+  throw InputError(run.source,
+                   "this run differs from the run {} only in --radius-correction or --delay-correction; draw "
+                   "the two runs in separate figures",
+                   other.source);
 }
 
 /// Returns the results of the swimmers of which the reference contains values. Throws InputError if one has
@@ -205,9 +206,8 @@ std::vector<Results> results_of(const PlottedRun& run, const ComparedScene& scen
   for (std::size_t s = 0; s < swimmers.size(); ++s) {
     if (arms(scene.correct[s]) == arms(swimmers[s])) continue;
     throw InputError(run.source,
-                     fmt::format("swimmer {} has {} arms, but {} in the reference ({}); give the "
-                                 "reference of this scene",
-                                 wanted[s].id, arms(swimmers[s]), arms(scene.correct[s]), scene.reference));
+                     "swimmer {} has {} arms, but {} in the reference ({}); give the reference of this scene",
+                     wanted[s].id, arms(swimmers[s]), arms(scene.correct[s]), scene.reference);
   }
   return swimmers;
 }

@@ -77,8 +77,8 @@ void read_frame(const std::string& path, std::optional<std::size_t> wanted, Swar
   const TrajectoryFile file = open_trajectory(path);
   const std::size_t last = file.reader.frames() - 1, number = wanted.value_or(last);
   if (number > last)
-    throw InputError("--frame", fmt::format("there is no frame {} in {}; give a frame from 0 to {}", number,
-                                            file.source, last));
+    throw InputError("--frame", "there is no frame {} in {}; give a frame from 0 to {}", number, file.source,
+                     last);
   const TrajectoryFrame frame = file.reader.frame(number);
   scene.picture.title = fmt::format("Swarm after {}", cycles_text({frame.time / file.period()}));
   scene.time = frame.time;
@@ -93,8 +93,8 @@ void read_frame(const std::string& path, std::optional<std::size_t> wanted, Swar
 SwarmScene read_swarm_scene(const std::string& path, std::optional<std::size_t> frame) {
   SwarmScene scene{.source = source_name(path), .is_layout = !is_trajectory(path)};
   if (frame && scene.is_layout)
-    throw InputError("--frame", fmt::format("{} is a layout, and layouts have no frames; leave the flag out",
-                                            scene.source));
+    throw InputError("--frame", "{} is a layout, and layouts have no frames; leave the flag out",
+                     scene.source);
   SwarmPicture& picture = scene.picture;
   if (scene.is_layout) {
     picture.title = "Swarm as laid out";
@@ -125,18 +125,19 @@ void require_repeatable(const SwarmScene& scene, const Triple& repeat) {
   const auto& box = scene.layout.domain.box;
   for (int a = 0; a < 3; ++a) {
     if (repeat[a] == 1 || (box && box->is_periodic(a))) continue;
-    throw InputError("--repeat", fmt::format("{} copies along {} are not possible, because the box of {} is "
-                                             "not periodic along this axis; give 1 for this axis",
-                                             repeat[a], "xyz"[a], scene.source));
+    throw InputError("--repeat",
+                     "{} copies along {} are not possible, because the box of {} is not periodic along this "
+                     "axis; give 1 for this axis",
+                     repeat[a], "xyz"[a], scene.source);
   }
   std::size_t in_box = 0;
   for (const PicturedSwimmer& swimmer : scene.picture.swimmers)
     in_box += swimmer.beads.size() + swimmer.bonds.size();
   const double elements = static_cast<double>(in_box) * repeat[0] * repeat[1] * repeat[2];
   if (elements > static_cast<double>(max_elements)) {
-    throw InputError("--repeat", fmt::format("the copies have {:g} beads and bonds, but at most {} can be "
-                                             "drawn; give fewer copies",
-                                             elements, max_elements));
+    throw InputError("--repeat",
+                     "the copies have {:g} beads and bonds, but at most {} can be drawn; give fewer copies",
+                     elements, max_elements);
   }
 }
 
@@ -250,9 +251,9 @@ std::vector<PictureDistance> distances(const SwarmScene& scene, const std::vecto
                                        const std::vector<int>& block_swimmers) {
   if (!scene.is_layout) {
     throw InputError("--distances",
-                     fmt::format("distances between neighbours are drawn only for a layout, but {} is a "
-                                 "trajectory, in which the swimmers have moved; give the layout",
-                                 scene.source));
+                     "distances between neighbours are drawn only for a layout, but {} is a trajectory, in "
+                     "which the swimmers have moved; give the layout",
+                     scene.source);
   }
   if (block_swimmers.size() != 3)
     throw InputError("--distances",
@@ -268,9 +269,8 @@ std::vector<PictureDistance> distances(const SwarmScene& scene, const std::vecto
 /// Sets the values that colours show. `record`: file with the results; empty: the trajectory has them.
 void add_values(ResultQuantity quantity, const std::string& record, SwarmScene& scene) {
   if (scene.is_layout)
-    throw InputError("--colour", fmt::format("{} is a layout, which has no results; give the trajectory of a "
-                                             "run",
-                                             scene.source));
+    throw InputError("--colour", "{} is a layout, which has no results; give the trajectory of a run",
+                     scene.source);
   std::vector<int> ids;
   for (const PicturedSwimmer& swimmer : scene.picture.swimmers) ids.push_back(swimmer.id);
   const auto values = last_values(quantity, scene.source, record, scene.time, ids);
@@ -306,8 +306,7 @@ SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlag
 std::optional<std::size_t> parse_frame(const std::string& text) {
   if (text == "last") return std::nullopt;
   if (id_or_frame_number()(text).empty()) return std::stoul(text);
-  throw InputError("--frame",
-                   fmt::format("\"{}\": the frame must be \"last\" or a whole number, 0 or greater", text));
+  throw InputError("--frame", "\"{}\": the frame must be \"last\" or a whole number, 0 or greater", text);
 }
 
 /// Parses a mark NAME=ID, such as "A=3". Throws InputError if the text has another form.
@@ -315,8 +314,7 @@ std::pair<std::string, int> parse_mark(const std::string& text) {
   const std::size_t sign = text.rfind('=');
   const std::string id = sign == std::string::npos ? "" : text.substr(sign + 1);
   if (sign == 0 || !id_or_frame_number()(id).empty())
-    throw InputError("--mark",
-                     fmt::format("\"{}\": the value must be a label and a swimmer's id, such as A=3", text));
+    throw InputError("--mark", "\"{}\": the value must be a label and a swimmer's id, such as A=3", text);
   return {text.substr(0, sign), std::stoi(id)};
 }
 

@@ -1,7 +1,5 @@
 #include "swarm_values.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
@@ -42,20 +40,18 @@ std::vector<std::optional<double>> last_values(ResultQuantity quantity, const st
                                                const std::string& record, double time,
                                                const std::vector<int>& ids) {
   if (row_of(quantity).is_per_arm)
-    throw InputError("--colour", fmt::format("{} has a value per arm, but a swimmer has one colour; name "
-                                             "another result",
-                                             to_text(quantity)));
+    throw InputError("--colour", "{} has a value per arm, but a swimmer has one colour; name another result",
+                     to_text(quantity));
   RunRecord run = run_of_trajectory(trajectory);
   if (!record.empty()) run = read_record(record, run);
   std::vector<std::optional<double>> values;
   for (const int id : ids)
     values.push_back(last_value(run, find_swimmer(run, id, trajectory), quantity, time));
   if (std::ranges::any_of(values, [](const auto& value) { return value.has_value(); })) return values;
-  throw InputError("--colour",
-                   fmt::format("{} states no {} of a cycle that has ended at this frame{}",
-                               record.empty() ? trajectory : record, to_text(quantity),
-                               record.empty() ? "; add the run record as a second file, or draw a later frame"
-                                              : "; name another result, or draw a later frame"));
+  throw InputError("--colour", "{} states no {} of a cycle that has ended at this frame{}",
+                   record.empty() ? trajectory : record, to_text(quantity),
+                   record.empty() ? "; add the run record as a second file, or draw a later frame"
+                                  : "; name another result, or draw a later frame");
 }
 
 }  // namespace beadswim

@@ -30,11 +30,10 @@ const Swimmer& find_swimmer(const Layout& layout, std::optional<int> id, const s
 /// Returns the parameters of a swimmer. Throws InputError if it is not the paper's swimmer.
 ThreeBeadSwimmer paper_swimmer(const Layout& layout, const Swimmer& swimmer, const std::string& source) {
   if (const auto three = three_bead_form(layout.resolved_type(swimmer))) return *three;
-  throw InputError(
-      source, fmt::format("swimmer {} is not the paper's (three beads in a line, two springs, two driving "
-                          "forces), the only one that has a sketch; draw its beads and bonds with "
-                          "beadswim-plot swarm",
-                          swimmer.id));
+  throw InputError(source,
+                   "swimmer {} is not the paper's (three beads in a line, two springs, two driving forces), "
+                   "the only one that has a sketch; draw its beads and bonds with beadswim-plot swarm",
+                   swimmer.id);
 }
 
 /// Returns one label for each value: "λ = 4" if all values are equal, otherwise "λ₁ = 4" with the number of
@@ -116,9 +115,8 @@ DrawFigure add_swimmer_flags(CLI::App& command) {
   add_swimmers(command, *ids, "ID", "the layout's first", "Id of the swimmer to draw");
   return [ids](const PlotFiles& files) {
     if (ids->size() > 1)
-      throw InputError(
-          "--swimmers",
-          fmt::format("{} ids are given, but a sketch shows one swimmer; give one id", ids->size()));
+      throw InputError("--swimmers", "{} ids are given, but a sketch shows one swimmer; give one id",
+                       ids->size());
     const auto id = ids->empty() ? std::nullopt : std::optional(ids->front());
     return draw(swimmer_figure(files.inputs, id));
   };

@@ -73,9 +73,8 @@ std::vector<Series> curves_of(const TrajectoryFile& file, bool several_files, co
     if (several_files) label = std::filesystem::path(file.source).stem().string() + ", " + label;
     for (const int bead : flags.beads.empty() ? std::vector{middle_bead(num_beads)} : flags.beads) {
       if (bead > num_beads)
-        throw InputError(
-            "--beads", fmt::format("swimmer {} in {} has no bead {}; its beads have the numbers 1 to {}", id,
-                                   file.source, bead, num_beads));
+        throw InputError("--beads", "swimmer {} in {} has no bead {}; its beads have the numbers 1 to {}", id,
+                         file.source, bead, num_beads);
       swimmers.push_back(swimmer);
       beads.push_back(file.reader.header().first_beads()[swimmer] + static_cast<std::size_t>(bead) - 1);
       curves.push_back({flags.beads.size() > 1 ? fmt::format("{}, bead {}", label, bead) : label});
@@ -169,9 +168,10 @@ Figure trajectory_figure(const std::vector<std::string>& paths, const Trajectory
     curves += options.beads_per_swimmer() *
               (options.swimmers.empty() ? file.in_layout.size() : options.swimmers.size());
   if (const std::size_t limit = is_long ? max_solid : max_curves; curves > limit)
-    throw InputError("--swimmers", fmt::format("the figure would have {} curves, but at most {} can be "
-                                               "distinguished; name fewer swimmers or beads",
-                                               curves, limit));
+    throw InputError(
+        "--swimmers",
+        "the figure would have {} curves, but at most {} can be distinguished; name fewer swimmers or beads",
+        curves, limit);
   const char axis = "xyz"[options.axis];
   Panel panel{.x_label = {"time", "cycles of the driving"},
               .y_label = {std::string(1, axis), length_unit(files.front().layout.units)}};

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <filesystem>
 
@@ -22,30 +20,29 @@ std::string method_of(const VerdictDocument& verdict, const std::vector<std::str
                       const std::string& source) {
   if (named.empty()) return verdict.decided_by;
   if (named.size() > 1)
-    throw InputError(
-        "--method",
-        fmt::format("{} methods are given; name the one method whose errors are drawn", named.size()));
+    throw InputError("--method", "{} methods are given; name the one method whose errors are drawn",
+                     named.size());
   std::set<std::string> known;
   for (const ComparisonRow& row : verdict.rows) known.insert(row.method);
   if (known.contains(named.front())) return named.front();
   const std::vector<std::string> names(known.begin(), known.end());
-  throw InputError("--method",
-                   fmt::format("the verdict {} has no method \"{}\"{} The verdict has the methods {}", source,
-                               named.front(), format_suggestion(named.front(), names), joined(names, ", ")));
+  throw InputError("--method", "the verdict {} has no method \"{}\"{} The verdict has the methods {}", source,
+                   named.front(), format_suggestion(named.front(), names), joined(names, ", "));
 }
 
 VerdictDocument verdict_in(const SourceJson& document) {
   const std::string schema = schema_of(document.json);
   if (schema.starts_with("beadswim/run/")) {
     throw InputError("--reference",
-                     fmt::format("no reference is given; name a prediction or a run as the reference for the "
-                                 "errors of {}, or draw verdicts of beadswim-compare",
-                                 document.source));
+                     "no reference is given; name a prediction or a run as the reference for the errors of "
+                     "{}, or draw verdicts of beadswim-compare",
+                     document.source);
   }
   if (!schema.starts_with("beadswim/verdict/")) {
-    throw InputError(document.source, fmt::format("the document has the schema \"{}\"; give verdicts "
-                                                  "(\"beadswim/verdict/1\"), or run records with --reference",
-                                                  schema));
+    throw InputError(document.source,
+                     "the document has the schema \"{}\"; give verdicts (\"beadswim/verdict/1\"), or run "
+                     "records with --reference",
+                     schema);
   }
   VerdictDocument verdict = verdict_from_json(document.json, document.source);
   if (!verdict.cost) {

@@ -109,9 +109,8 @@ MeasuredStroke read_measured_stroke(const std::string& path, std::optional<int> 
   }
   if (runs.size() != 1)
     throw InputError("--stroke-from " + path,
-                     fmt::format("{} of {} documents are runs with a complete cycle; "
-                                 "give the record of one such run",
-                                 runs.size(), count));
+                     "{} of {} documents are runs with a complete cycle; give the record of one such run",
+                     runs.size(), count);
   if (count > 1)
     print_message(
         fmt::format("{} of {} documents of {} have no result, and are left out", count - 1, count, path));

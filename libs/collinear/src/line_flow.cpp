@@ -1,7 +1,5 @@
 #include "beadswim/collinear/line_flow.hpp"
 
-#include <fmt/core.h>
-
 #include "beadswim/collinear/unsteady_stokes.hpp"
 #include "beadswim/core/error.hpp"
 #include "periodic_flow.hpp"
@@ -45,9 +43,9 @@ void check_alpha(std::complex<double> alpha) {
                         std::abs(alpha.imag()) <= alpha.real() * (1 + roundoff);
   if (is_valid) return;
   throw InputError("flow on a line",
-                   fmt::format("the inverse penetration depth alpha = sqrt(i omega rho / eta) is {:f} + {:f} "
-                               "i; use the square root with positive real part",
-                               alpha.real(), alpha.imag()));
+                   "the inverse penetration depth alpha = sqrt(i omega rho / eta) is {:f} + {:f} i; use the "
+                   "square root with positive real part",
+                   alpha.real(), alpha.imag());
 }
 
 }  // namespace
@@ -61,9 +59,10 @@ LineFlow::LineFlow(double viscosity, const Box& box, double y, double z)
 void LineFlow::check_places(double receiver, double source) const {
   const double distance = receiver - source;
   if (periodic_ ? std::remainder(distance, periodic_->line().period) == 0 : distance == 0) {
-    throw InputError("flow on a line", fmt::format("the point force and the point where its flow is "
-                                                   "evaluated are both at x = {:f}; move one of the points",
-                                                   receiver));
+    throw InputError("flow on a line",
+                     "the point force and the point where its flow is evaluated are both at x = {:f}; move "
+                     "one of the points",
+                     receiver);
   }
   check_between_walls(receiver);
   check_between_walls(source);
@@ -73,9 +72,8 @@ void LineFlow::check_between_walls(double place) const {
   if (!wall_ || (place > 0 && place < *wall_)) return;
   throw InputError(
       "flow on a line",
-      fmt::format(
-          "the position x = {:f} is not between the walls at x = 0 and x = {:f}; move the point or the walls",
-          place, *wall_));
+      "the position x = {:f} is not between the walls at x = 0 and x = {:f}; move the point or the walls",
+      place, *wall_);
 }
 
 SteadyFlow LineFlow::steady(double receiver, double source) const {

@@ -47,9 +47,9 @@ int needed_order(const Line& line, int i, double log_tolerance) {
   }
   if (order > max_multipole_order) {
     throw InputError(fmt::format("sphere {}", i + 1),
-                     fmt::format("the sphere is too close to its neighbour and needs multipoles of order "
-                                 "{:.0f}, above the limit of {}; increase the gap or the tolerance",
-                                 order, max_multipole_order));
+                     "the sphere is too close to its neighbour and needs multipoles of order {:.0f}, above "
+                     "the limit of {}; increase the gap or the tolerance",
+                     order, max_multipole_order);
   }
   return static_cast<int>(std::ceil(order));
 }

@@ -35,16 +35,16 @@ struct Solution {
 
 void check_positive(double number, const std::string& name) {
   if (!(number > 0) || !std::isfinite(number)) {
-    throw InputError(
-        name, fmt::format("the value {} is invalid: a finite number greater than 0 is needed", number));
+    throw InputError(name, "the value {} is invalid: a finite number greater than 0 is needed", number);
   }
 }
 
 void check_line(std::span<const double> radii, std::span<const double> positions) {
   if (radii.empty() || radii.size() != positions.size()) {
-    throw InputError("spheres on a line", fmt::format("there are {} radii and {} positions of spheres; give "
-                                                      "one position per radius, and at least one sphere",
-                                                      radii.size(), positions.size()));
+    throw InputError("spheres on a line",
+                     "there are {} radii and {} positions of spheres; give one position per radius, and at "
+                     "least one sphere",
+                     radii.size(), positions.size());
   }
   for (std::size_t i = 0; i < radii.size(); ++i) {
     check_positive(radii[i], fmt::format("radius of sphere {}", i + 1));
@@ -52,9 +52,9 @@ void check_line(std::span<const double> radii, std::span<const double> positions
     const double distance = positions[i] - positions[i - 1], touching = radii[i] + radii[i - 1];
     if (!(distance > touching) || !std::isfinite(distance)) {
       throw InputError(fmt::format("spheres {} and {}", i, i + 1),
-                       fmt::format("the centres of the two spheres are {} apart; the distance must be above "
-                                   "{}, where the spheres touch",
-                                   distance, touching));
+                       "the centres of the two spheres are {} apart; the distance must be above {}, where "
+                       "the spheres touch",
+                       distance, touching);
     }
   }
 }

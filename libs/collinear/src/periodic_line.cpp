@@ -1,7 +1,5 @@
 #include "periodic_line.hpp"
 
-#include <fmt/core.h>
-
 #include "beadswim/core/error.hpp"
 
 namespace beadswim {
@@ -14,9 +12,8 @@ void check(const Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
     const double length = box.lengths[axis];
     if (std::isfinite(length) && length > 0) continue;
-    throw InputError("box",
-                     fmt::format("the box length along {} is {:f}; the length must be finite and positive",
-                                 axis_names[axis], length));
+    throw InputError("box", "the box length along {} is {:f}; the length must be finite and positive",
+                     axis_names[axis], length);
   }
 }
 
@@ -24,9 +21,10 @@ PeriodicLine::Axis transverse_axis(const Box& box, int axis, double place) {
   const double length = box.lengths[axis];
   if (!box.has_mirrors(axis)) return {.period = length, .mirror = 0};
   if (!(place > 0 && place < length)) {
-    throw InputError("box", fmt::format("the line of spheres at {0} = {1:f} is not between the walls at {0} "
-                                        "= 0 and {0} = {2:f}; move the line or the walls",
-                                        axis_names[axis], place, length));
+    throw InputError("box",
+                     "the line of spheres at {0} = {1:f} is not between the walls at {0} = 0 and {0} = "
+                     "{2:f}; move the line or the walls",
+                     axis_names[axis], place, length);
   }
   return {.period = 2 * length, .mirror = 2 * place};
 }

@@ -28,9 +28,9 @@ CycleChoice parse_cycle_choice(const std::string& text) {
   const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (fault != std::errc{} || end != digits.data() + digits.size() || number < 1) {
     throw InputError(Setting::cycle,
-                     fmt::format("\"{}\" must be \"last\", the number of a cycle (1 or more), or \"mean:N\" "
-                                 "for the mean of the last N cycles (N is 1 or more)",
-                                 text));
+                     "\"{}\" must be \"last\", the number of a cycle (1 or more), or \"mean:N\" for the mean "
+                     "of the last N cycles (N is 1 or more)",
+                     text);
   }
   return {mean ? CycleChoice::Kind::last : CycleChoice::Kind::index, number};
 }
@@ -53,10 +53,9 @@ std::span<const CycleStatistics> select_cycles(std::span<const CycleStatistics> 
   const std::string wanted = choice.kind == CycleChoice::Kind::index
                                  ? fmt::format("cycle {}", choice.number)
                                  : fmt::format("the last {} cycles", choice.number);
-  throw InputError(source,
-                   fmt::format("the run does not contain {}, only {}cycles {} to {}; give {} another value",
-                               wanted, are_all(cycles) ? "" : "some of the ", cycles.front().index,
-                               cycles.back().index, Setting::cycle));
+  throw InputError(source, "the run does not contain {}, only {}cycles {} to {}; give {} another value",
+                   wanted, are_all(cycles) ? "" : "some of the ", cycles.front().index, cycles.back().index,
+                   Setting::cycle);
 }
 
 }  // namespace beadswim

@@ -1,7 +1,5 @@
 #include "beadswim/compare/stroke_fit.hpp"
 
-#include <fmt/core.h>
-
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
@@ -41,9 +39,10 @@ StrokeFit from_linear_form(double mean, double a, double b) {
 StrokeFit fit_stroke(std::span<const double> times, std::span<const double> lengths,
                      double angular_frequency) {
   if (times.size() != lengths.size() || times.size() < 3) {
-    throw InputError("stroke fit", fmt::format("there are {} times and {} arm lengths; the fit needs one arm "
-                                               "length per time, and at least 3 times",
-                                               times.size(), lengths.size()));
+    throw InputError(
+        "stroke fit",
+        "there are {} times and {} arm lengths; the fit needs one arm length per time, and at least 3 times",
+        times.size(), lengths.size());
   }
   Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> qr(harmonic_design(times, angular_frequency));
   qr.setThreshold(rank_threshold);

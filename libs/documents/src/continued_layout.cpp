@@ -1,7 +1,5 @@
 #include "beadswim/documents/continued_layout.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -29,9 +27,8 @@ std::size_t frame_after_cycle(const TrajectoryFile& file, std::optional<int> cyc
   for (std::size_t frame = times.size(); frame-- > 0;)
     if (const auto cycles = whole_cycles(times[frame], period); cycles && cycle.value_or(*cycles) == *cycles)
       return frame;
-  throw InputError(flag,
-                   fmt::format("{} has no frame at the end of cycle {}; its frames end after {:.4g} cycles",
-                               file.source, cycle.value_or(0), times.back() / period));
+  throw InputError(flag, "{} has no frame at the end of cycle {}; its frames end after {:.4g} cycles",
+                   file.source, cycle.value_or(0), times.back() / period);
 }
 
 /// Continues the phase of a swimmer's drives: sin(2 pi t/T + phi) at the time t is that of the time 0 with

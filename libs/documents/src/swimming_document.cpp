@@ -27,18 +27,18 @@ RunRecord with_swimmers(RunRecord record, const std::string& source) {
   const std::string path = std::filesystem::path(source).replace_extension(".h5md");
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
-    throw InputError(
-        source, fmt::format("the run record contains only statistics of the swarm, because the run has "
-                            "more than {} swimmers, and there is no {}; name the trajectory (.h5md) instead",
-                            max_swimmers_listed, path));
+    throw InputError(source,
+                     "the run record contains only statistics of the swarm, because the run has more than {} "
+                     "swimmers, and there is no {}; name the trajectory (.h5md) instead",
+                     max_swimmers_listed, path);
   RunRecord of_trajectory = run_of_trajectory(path);
   if (!(of_trajectory.driving == record.driving && of_trajectory.units == record.units &&
         of_trajectory.swimmers.front().cycles.size() ==
             record.swarm.value_or(std::vector<SwarmCycle>()).size()))
     throw InputError(source,
-                     fmt::format("the trajectory {} belongs to another run than this record, which does "
-                                 "not list its swimmers; name the trajectory of the run instead",
-                                 path));
+                     "the trajectory {} belongs to another run than this record, which does not list its "
+                     "swimmers; name the trajectory of the run instead",
+                     path);
   record.swimmers = std::move(of_trajectory.swimmers);
   record.scene = std::move(of_trajectory.scene);
   return record;
@@ -62,12 +62,12 @@ std::string schema_of(const Json& document) {
 
 std::vector<SourceJson> read_json_documents(const std::string& path, const std::string& wanted) {
   if (is_trajectory(path))
-    throw InputError(path, fmt::format("the file is a trajectory; {} (JSON) is needed here", wanted));
+    throw InputError(path, "the file is a trajectory; {} (JSON) is needed here", wanted);
   std::vector<SourceJson> documents;
   DocumentStream stream({path});
   while (const std::optional<StreamMember> member = stream.next()) {
     if (member->text.find_first_not_of(" \t\r\n") == std::string::npos)
-      throw InputError(member->source, fmt::format("the input is empty; {} is needed here", wanted));
+      throw InputError(member->source, "the input is empty; {} is needed here", wanted);
     documents.push_back({member->source, parse_json(member->text, member->source)});
   }
   return documents;
@@ -77,17 +77,17 @@ SwimmingDocument swimming_from_json(const Json& document, const std::string& sou
   const std::string schema = schema_of(document);
   if (schema.starts_with("beadswim/run/")) return run_from_json(document, source);
   if (schema.starts_with("beadswim/prediction/")) return predictions_from_json(document, source);
-  throw InputError(source, fmt::format("{}; a run record (\"schema\": \"beadswim/run/1\") or a prediction "
-                                       "(\"beadswim/prediction/1\") is needed here",
-                                       schema.empty() ? "the document has no key \"schema\""
-                                                      : "the document has the schema \"" + schema + "\""));
+  throw InputError(source,
+                   "{}; a run record (\"schema\": \"beadswim/run/1\") or a prediction "
+                   "(\"beadswim/prediction/1\") is needed here",
+                   schema.empty() ? "the document has no key \"schema\""
+                                  : "the document has the schema \"" + schema + "\"");
 }
 
 ReadDocuments read_documents(
     const std::vector<std::string>& files, const std::string& wanted,
     const std::function<SwimmingDocument(const Json& document, const std::string& source)>& parse) {
-  if (files.empty())
-    throw InputError("FILES", fmt::format("no file is given; name {} or a trajectory", wanted));
+  if (files.empty()) throw InputError("FILES", "no file is given; name {} or a trajectory", wanted);
   require_one_standard_input(files);
   ReadDocuments read;
   for (const std::string& path : files) {
@@ -145,32 +145,28 @@ const SwimmerRecord& find_swimmer(const RunRecord& run, std::optional<int> id, c
   const auto found = std::ranges::find_if(run.swimmers, is_requested);
   if (found != run.swimmers.end()) return *found;
   if (run.swimmers.empty())
-    throw InputError(
-        source,
-        fmt::format("the run record contains only statistics of the swarm, because the run has more than {} "
-                    "swimmers; run a smaller cell of the scene (beadswim-layout reduce)",
-                    max_swimmers_listed));
+    throw InputError(source,
+                     "the run record contains only statistics of the swarm, because the run has more than {} "
+                     "swimmers; run a smaller cell of the scene (beadswim-layout reduce)",
+                     max_swimmers_listed);
   constexpr std::size_t max_ids = 16;  // of a message that is easy to read
   const std::vector<int> ids = swimmers_of(run);
   const auto [low, high] = std::ranges::minmax(ids);
-  throw InputError(
-      source,
-      fmt::format("the run record contains no swimmer with the id {}; the ids in the record are {}", *id,
-                  ids.size() <= max_ids ? joined(ids, ", ") : fmt::format("from {} to {}", low, high)));
+  throw InputError(source, "the run record contains no swimmer with the id {}; the ids in the record are {}",
+                   *id, ids.size() <= max_ids ? joined(ids, ", ") : fmt::format("from {} to {}", low, high));
 }
 
 MeasuredStroke measured_stroke(const RunRecord& run, std::optional<int> swimmer, const std::string& source) {
   const std::string where = fmt::format("{} {}", Setting::stroke_record, source);
   const SwimmerRecord& record = find_swimmer(run, swimmer, where);
   if (record.cycles.empty())
-    throw InputError(where,
-                     fmt::format("swimmer {} has not finished a cycle; run at least one cycle", record.id));
+    throw InputError(where, "swimmer {} has not finished a cycle; run at least one cycle", record.id);
   const CycleStatistics& last = record.cycles.back();
   if (last.arm_amplitudes.size() != 2)
-    throw InputError(
-        where, fmt::format("swimmer {} has {} bonds, but the methods need the stroke of two arms; give a "
-                           "run of the paper's three-bead swimmer",
-                           record.id, last.arm_amplitudes.size()));
+    throw InputError(where,
+                     "swimmer {} has {} bonds, but the methods need the stroke of two arms; give a run of "
+                     "the paper's three-bead swimmer",
+                     record.id, last.arm_amplitudes.size());
   return {.source = source,
           .units = run.units,
           .period = record.period.value_or(run.driving.period),

@@ -163,10 +163,8 @@ std::size_t swimmer_with_id(int id, const std::vector<int>& ids, const std::stri
   const int nearest = *std::ranges::min_element(ids, {}, distance);
   const auto [low, high] = std::ranges::minmax(ids);
   throw InputError(
-      flag,
-      fmt::format(
-          "there is no swimmer with the id {} in {}; the nearest id is {}, and the ids range from {} to {}",
-          id, source, nearest, low, high));
+      flag, "there is no swimmer with the id {} in {}; the nearest id is {}, and the ids range from {} to {}",
+      id, source, nearest, low, high);
 }
 
 }  // namespace beadswim

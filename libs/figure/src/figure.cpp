@@ -68,10 +68,8 @@ DataRange data_range(const Panel& panel) {
     const std::string& value = panel.value_label.quantity;  // of a map
     const bool logarithmic = value.empty() && panel.y_scale == ScaleKind::logarithmic;
     throw InputError(
-        "figure",
-        fmt::format(
-            "there is no point with a {} value of \"{}\" to draw; add files that contain such a value",
-            logarithmic ? "positive" : "finite", value.empty() ? panel.y_label.quantity : value));
+        "figure", "there is no point with a {} value of \"{}\" to draw; add files that contain such a value",
+        logarithmic ? "positive" : "finite", value.empty() ? panel.y_label.quantity : value);
   }
   if (!plain.isEmpty()) {
     all.min().y() = plain.min().y();

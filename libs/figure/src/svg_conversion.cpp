@@ -28,10 +28,9 @@ int run_filter(const std::string& what_for, char* const* command, std::FILE* inp
   const int fault = posix_spawnp(&child, command[0], &actions, nullptr, command, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (fault != 0) {
-    throw InputError(
-        what_for,
-        fmt::format("the program {} cannot be started: {}; install the package librsvg2-bin, or write .svg",
-                    command[0], std::strerror(fault)));
+    throw InputError(what_for,
+                     "the program {} cannot be started: {}; install the package librsvg2-bin, or write .svg",
+                     command[0], std::strerror(fault));
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

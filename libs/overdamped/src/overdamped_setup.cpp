@@ -19,10 +19,10 @@ void check_no_slip_walls(const Layout& layout, const std::string& source) {
   for (int a = 0; a < 3 && layout.domain.box; ++a) {
     if (layout.domain.box->boundary[a] != Boundary::no_slip) continue;
     throw InputError(fmt::format("{}:/domain/boundary/{}", source, a),
-                     fmt::format("the boundary is no-slip at both ends of the axis, but mobility models "
-                                 "treat only one such wall, of a half-space; set the domain to a half-space, "
-                                 "make the layout with {} periodic or free-slip, or use {} lbm",
-                                 Setting::boundary, Setting::model));
+                     "the boundary is no-slip at both ends of the axis, but mobility models treat only one "
+                     "such wall, of a half-space; set the domain to a half-space, make the layout with {} "
+                     "periodic or free-slip, or use {} lbm",
+                     Setting::boundary, Setting::model);
   }
 }
 
@@ -31,13 +31,11 @@ void check_unsteady_scene(const Layout& layout, const std::string& source) {
   if (layout.domain.half_space)
     throw InputError(
         source + ":/domain/half_space",
-        fmt::format("the model unsteady lacks no-slip walls; use {} rpy or multipole, or lbm in a "
-                    "box with such walls",
-                    Setting::model));
+        "the model unsteady lacks no-slip walls; use {} rpy or multipole, or lbm in a box with such walls",
+        Setting::model);
   if (!layout.flow.is_zero())
-    throw InputError(
-        source + ":/flow",
-        fmt::format("the model unsteady lacks background flow; use {} rpy or multipole", Setting::model));
+    throw InputError(source + ":/flow", "the model unsteady lacks background flow; use {} rpy or multipole",
+                     Setting::model);
 }
 
 /// Throws InputError if the model cannot have thermal noise.
@@ -59,9 +57,9 @@ void require_room(const OverdampedScene& scene, const std::string& source) {
   for (int a = 0; a < 3 && scene.domain.box; ++a) {
     if (scene.domain.box->lengths[a] >= radii * largest) continue;
     throw InputError(fmt::format("{}:/domain/lengths/{}", source, a),
-                     fmt::format("the box length {:.6g} is less than {} radii of the largest bead, {:.6g}; "
-                                 "enlarge the box or use {} lbm",
-                                 scene.domain.box->lengths[a], radii, radii * largest, Setting::model));
+                     "the box length {:.6g} is less than {} radii of the largest bead, {:.6g}; enlarge the "
+                     "box or use {} lbm",
+                     scene.domain.box->lengths[a], radii, radii * largest, Setting::model);
   }
 }
 
@@ -91,10 +89,9 @@ long steps_in_base_period(const Layout& layout, const OverdampedScene& scene,
   constexpr double most = 1e8;
   if (needed > most)
     throw InputError(source,
-                     fmt::format("thermal noise needs {:.2g} time steps in a period, for contacts to "
-                                 "hold against it, above the limit of {:.0e}; use a shorter period or "
-                                 "a lower {}",
-                                 needed, most, Setting::thermal_energy));
+                     "thermal noise needs {:.2g} time steps in a period, for contacts to hold against it, "
+                     "above the limit of {:.0e}; use a shorter period or a lower {}",
+                     needed, most, Setting::thermal_energy);
   if (!settings.steps_per_cycle)
     return rounded_up(std::max(MobilitySettings::default_steps_per_cycle * shorter, needed));
   const double steps = *settings.steps_per_cycle * shorter;
@@ -126,10 +123,9 @@ void check_light_beads(const OverdampedScene& scene, double density, const std::
       if (share <= max_share) continue;
       throw InputError(
           source,
-          fmt::format(
-              "a bead of density {:.4g} in fluid of density {:.4g} is too light for the time steps of the "
-              "model unsteady; use a density of at least {:.4g}, longer time steps, or {} lbm",
-              bead.density, density, density - (density - bead.density) * max_share / share, Setting::model));
+          "a bead of density {:.4g} in fluid of density {:.4g} is too light for the time steps of the model "
+          "unsteady; use a density of at least {:.4g}, longer time steps, or {} lbm",
+          bead.density, density, density - (density - bead.density) * max_share / share, Setting::model);
     }
   }
 }
@@ -138,10 +134,10 @@ void check_light_beads(const OverdampedScene& scene, double density, const std::
 void check_net_forces(const OverdampedScene& scene, const std::string& source) {
   for (const SwimmerType& type : scene.types) {
     if (type.driving.net_force == NetForce::zero) continue;
-    throw InputError(
-        source, fmt::format("driving forces that do not sum to zero need a box in the model unsteady, which "
-                            "replaces open space by a periodic cube; give a box, or use {} rpy",
-                            Setting::model));
+    throw InputError(source,
+                     "driving forces that do not sum to zero need a box in the model unsteady, which "
+                     "replaces open space by a periodic cube; give a box, or use {} rpy",
+                     Setting::model);
   }
 }
 
@@ -171,17 +167,15 @@ FluidMemory fluid_memory(const Layout& layout, const OverdampedScene& scene, boo
   const double depth =
       std::sqrt(layout.fluid.kinematic_viscosity * shortest_period(layout) / std::numbers::pi);
   if (largest > max_radius_over_depth * depth)
-    throw InputError(
-        source,
-        fmt::format(
-            "the radius {:.4g} of a bead is {:.3g} times the penetration depth {:.4g} of the flow, and "
-            "the model unsteady treats up to {} times; use a longer period or {} lbm",
-            largest, largest / depth, depth, max_radius_over_depth, Setting::model));
+    throw InputError(source,
+                     "the radius {:.4g} of a bead is {:.3g} times the penetration depth {:.4g} of the flow, "
+                     "and the model unsteady treats up to {} times; use a longer period or {} lbm",
+                     largest, largest / depth, depth, max_radius_over_depth, Setting::model);
   if (largest > max_radius_ratio * smallest)
-    throw InputError(
-        source, fmt::format("the largest bead radius is {:.3g} times the smallest, and the mesh of the model "
-                            "unsteady resolves up to {} times; use {} lbm",
-                            largest / smallest, max_radius_ratio, Setting::model));
+    throw InputError(source,
+                     "the largest bead radius is {:.3g} times the smallest, and the mesh of the model "
+                     "unsteady resolves up to {} times; use {} lbm",
+                     largest / smallest, max_radius_ratio, Setting::model);
   check_light_beads(scene, density, source);
   if (!layout.domain.box) check_net_forces(scene, source);
   const double per_radius = max_memory_spacing[scene.moment_order];

@@ -1,7 +1,5 @@
 #include "beadswim/overdamped/overdamped_system.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -79,11 +77,11 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
   for (Vec3& bead : state_.lowest_mode)
     for (double& component : bead) component = random.normal();
   if (const auto fault = mobility_fault())
-    throw InputError(Setting::model,
-                     fmt::format("the mobility of oseen is not positive definite at rest: forces would move "
-                                 "beads backwards, most of all bead {} of swimmer {}, because beads are too "
-                                 "close to each other or to a wall; use {} rpy",
-                                 fault->bead.bead + 1, fault->bead.swimmer, Setting::model));
+    throw InputError(
+        Setting::model,
+        "the mobility of oseen is not positive definite at rest: forces would move beads backwards, most of "
+        "all bead {} of swimmer {}, because beads are too close to each other or to a wall; use {} rpy",
+        fault->bead.bead + 1, fault->bead.swimmer, Setting::model);
   solve_initial_velocities();
 }
 

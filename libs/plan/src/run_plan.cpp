@@ -176,21 +176,19 @@ RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::st
 const PlannedRun& choose_run(const RunPlan& plan) {
   if (plan.choice) return plan.runs[*plan.choice];
   if (!plan.best)
-    throw InputError(Setting::plan, fmt::format("no model can run this scene with these settings. {}",
-                                                joined(refusals(plan), ". ")));
+    throw InputError(Setting::plan, "no model can run this scene with these settings. {}",
+                     joined(refusals(plan), ". "));
   const PlannedRun& best = plan.runs[*plan.best];
   if (plan.request.has_advice && !plan.request.tolerance) return best;
-  throw InputError(
-      Setting::tolerance,
-      fmt::format(
-          "no run has an error limit within {}; the run with the smallest limit, {}, has a limit of {}: "
-          "raise the tolerance to that value{}",
-          in_percent(plan.tolerance), settings_text(best.settings, plan.request.chosen),
-          in_percent(best.errors.limits.total.largest()),
-          plan.request.is_restart
-              ? ""
-              : ", leave out settings that exclude other runs, or change the scene as a plan "
-                "proposes"));
+  throw InputError(Setting::tolerance,
+                   "no run has an error limit within {}; the run with the smallest limit, {}, has a limit of "
+                   "{}: raise the tolerance to that value{}",
+                   in_percent(plan.tolerance), settings_text(best.settings, plan.request.chosen),
+                   in_percent(best.errors.limits.total.largest()),
+                   plan.request.is_restart
+                       ? ""
+                       : ", leave out settings that exclude other runs, or change the scene as a plan "
+                         "proposes");
 }
 
 }  // namespace beadswim

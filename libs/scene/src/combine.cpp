@@ -73,10 +73,10 @@ void require_same_units(const Layout& layout, const Layout& other, const std::st
       a.lattice == b.lattice &&
       (a.lattice || (same(a.length, b.length) && same(a.time, b.time) && same(a.mass, b.mass)));
   if (!equal)
-    throw InputError(
-        source, fmt::format("the units of this layout ({}) differ from the units ({}) of the layout with "
-                            "which it is combined; convert one of them",
-                            unit_names(b), unit_names(a)));
+    throw InputError(source,
+                     "the units of this layout ({}) differ from the units ({}) of the layout with which it "
+                     "is combined; convert one of them",
+                     unit_names(b), unit_names(a));
 }
 
 void turn_swimmer(Swimmer& swimmer, const SwimmerType& type, const Eigen::Quaterniond& turn) {

@@ -47,19 +47,20 @@ Json& value_at(Json& layout, const std::string& pointer, const Json& value, cons
       std::size_t index = 0;
       const auto [end, fault] = std::from_chars(step.data(), step.data() + step.size(), index);
       if (fault != std::errc() || end != step.data() + step.size() || index >= place->size())
-        throw InputError(flag, fmt::format("\"{}\" leads to nothing: {} has {} entries, numbered from 0, and "
-                                           "none is \"{}\"",
-                                           pointer, where, place->size(), step));
+        throw InputError(flag,
+                         "\"{}\" leads to nothing: {} has {} entries, numbered from 0, and none is \"{}\"",
+                         pointer, where, place->size(), step);
       place = &(*place)[index];
     } else {
-      throw InputError(flag, fmt::format("\"{}\" leads to nothing: {} is a single value", pointer, where));
+      throw InputError(flag, "\"{}\" leads to nothing: {} is a single value", pointer, where);
     }
     done += "/" + step;
   }
   if (place->is_structured() && !(place->is_array() && value.is_array() && place->size() == value.size()))
-    throw InputError(flag, fmt::format("\"{}\" leads to a list or an object; add the steps to one number or "
-                                       "word in it, or give lists of the same length",
-                                       pointer));
+    throw InputError(flag,
+                     "\"{}\" leads to a list or an object; add the steps to one number or word in it, or "
+                     "give lists of the same length",
+                     pointer);
   return *place;
 }
 
@@ -85,11 +86,10 @@ void require_effect(const Json& layout, const std::string& name, const std::stri
                     const std::string& flag) {
   const Json& swimmers = layout["swimmers"];
   if (!std::ranges::all_of(swimmers, [&](const Json& swimmer) { return has_own(swimmer, name); })) return;
-  throw InputError(
-      flag, fmt::format("\"{0}\" changes no swimmer: each swimmer of {1} has its own {0}, which stays; "
-                        "remove it from the swimmers, or name one by a JSON pointer, such as "
-                        "/swimmers/0/driving/{0}",
-                        name, source));
+  throw InputError(flag,
+                   "\"{0}\" changes no swimmer: each swimmer of {1} has its own {0}, which stays; remove it "
+                   "from the swimmers, or name one by a JSON pointer, such as /swimmers/0/driving/{0}",
+                   name, source);
 }
 
 /// Returns true for a name such as /swimmers/0/rotate/z.
@@ -106,9 +106,9 @@ void turn_named(Layout& layout, const std::string& name, const Json& angle, cons
   const auto [end, fault] = std::from_chars(steps[1].data(), steps[1].data() + steps[1].size(), s);
   if (axis == std::string::npos || fault != std::errc() || s >= layout.swimmers.size() || !angle.is_number())
     throw InputError(flag,
-                     fmt::format("\"{}\" turns no swimmer; write /swimmers/N/rotate/AXIS=ANGLE,... with a "
-                                 "number N from 0 to {}, an axis x, y or z and angles such as 90deg",
-                                 name, layout.swimmers.size() - 1));
+                     "\"{}\" turns no swimmer; write /swimmers/N/rotate/AXIS=ANGLE,... with a number N from "
+                     "0 to {}, an axis x, y or z and angles such as 90deg",
+                     name, layout.swimmers.size() - 1);
   Swimmer& swimmer = layout.swimmers[s];
   turn_swimmer(
       swimmer, layout.resolved_type(swimmer),
@@ -141,17 +141,16 @@ std::string quantity_name(const std::string& text, const std::string& flag) {
   std::vector<std::string> names;
   for (const NamedQuantity& quantity : named_quantities()) names.push_back(quantity.name);
   if (!is_pointer(name) && !find_quantity(name))
-    throw InputError(flag, fmt::format("\"{}\": {}; anything else in a layout has a JSON pointer, such as "
-                                       "/domain/lengths/0",
-                                       text, format_unknown_name(name, names)));
+    throw InputError(flag,
+                     "\"{}\": {}; anything else in a layout has a JSON pointer, such as /domain/lengths/0",
+                     text, format_unknown_name(name, names));
   if (!is_pointer(name)) return name;
   try {
     Json::json_pointer{name};
     return name;
   } catch (const Json::exception&) {
-    throw InputError(
-        flag,
-        fmt::format("\"{}\": this is no JSON pointer; in its steps, ~ is written as ~0 and / as ~1", text));
+    throw InputError(flag, "\"{}\": this is no JSON pointer; in its steps, ~ is written as ~0 and / as ~1",
+                     text);
   }
 }
 
@@ -176,7 +175,7 @@ LayoutDocument with_values(const Json& layout, const StudyPoint& point, const st
       place = is_whole ? Json(static_cast<std::int64_t>(value.get<double>())) : value;
     } else {
       const std::string fault = value_fault(*find_quantity(name), value);
-      if (!fault.empty()) throw InputError(flag, fmt::format("{}: {}", name, fault));
+      if (!fault.empty()) throw InputError(flag, "{}: {}", name, fault);
       named[name] = value;
     }
   }
@@ -192,9 +191,9 @@ LayoutDocument with_values(const Json& layout, const StudyPoint& point, const st
     for (const auto& [name, value] : *values_of) {
       if (document.study.contains(name))
         throw InputError(source,
-                         fmt::format("the layout belongs to a study of \"{}\" already; vary something "
-                                     "else, or start from a layout without \"study\"",
-                                     name));
+                         "the layout belongs to a study of \"{}\" already; vary something else, or start "
+                         "from a layout without \"study\"",
+                         name);
       document.study[name] = value.is_array() ? Json(text_of(value)) : value;
     }
   }
@@ -206,14 +205,12 @@ std::vector<StudyPoint> study_points(const std::vector<Variation>& variations, b
   std::set<std::string> names;
   for (const Variation& variation : variations)
     if (!names.insert(variation.name).second)
-      throw InputError(flag,
-                       fmt::format("\"{}\" is named twice; give all its values at once", variation.name));
+      throw InputError(flag, "\"{}\" is named twice; give all its values at once", variation.name);
   std::size_t count = together ? variations.front().values.size() : 1;
   for (const Variation& variation : variations) {
     if (!together) count *= variation.values.size();
     if (count > max_study_points)
-      throw InputError(flag,
-                       fmt::format("the grid has more than {} layouts; give fewer values", max_study_points));
+      throw InputError(flag, "the grid has more than {} layouts; give fewer values", max_study_points);
   }
   std::vector<StudyPoint> points(count);
   for (std::size_t p = 0; p < count; ++p) {

@@ -1,7 +1,5 @@
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -93,11 +91,10 @@ int substeps_for(const SwimmerType& type, double step) {
   const double substeps = std::ceil(4 * step * std::max(frequency, damping_rate));
   constexpr double max_substeps = 10000;
   if (!(substeps <= max_substeps)) {
-    throw InputError(
-        "springs",
-        fmt::format("the springs are so stiff or damped that a time step needs {:.3g} sub-steps, more than "
-                    "the limit of {}; use softer springs, less damping or a smaller time step",
-                    substeps, max_substeps));
+    throw InputError("springs",
+                     "the springs are so stiff or damped that a time step needs {:.3g} sub-steps, more than "
+                     "the limit of {}; use softer springs, less damping or a smaller time step",
+                     substeps, max_substeps);
   }
   return std::max(1, static_cast<int>(substeps));
 }

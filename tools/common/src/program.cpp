@@ -264,10 +264,10 @@ std::optional<int> parse_command_line(CLI::App& program, int argc, const char* c
 
 void require_csv_path(const std::string& path, const std::string& flag) {
   if (path.ends_with(".csv") || path == "-") return;
-  throw InputError(flag,
-                   fmt::format("the file name \"{}\" does not end in .csv; give a name with this ending, "
-                               "or - for standard output",
-                               path));
+  throw InputError(
+      flag,
+      "the file name \"{}\" does not end in .csv; give a name with this ending, or - for standard output",
+      path);
 }
 
 void require_other_file(const std::string& input, const std::string& output) {

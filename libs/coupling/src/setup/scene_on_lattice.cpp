@@ -242,8 +242,8 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
                               const std::string& source) {
   require_box(layout, source);
   if (layout.fluid.thermal_energy > 0)
-    throw InputError(source + ":/fluid/thermal_energy",
-                     fmt::format("the lattice lacks thermal noise; use {}", models_with_noise(layout)));
+    throw InputError(source + ":/fluid/thermal_energy", "the lattice lacks thermal noise; use {}",
+                     models_with_noise(layout));
   const Resolution hint = layout.resolution.value_or(default_resolution);
   SceneOnLattice result;
   result.period = base_period(layout);

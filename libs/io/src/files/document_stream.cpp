@@ -19,8 +19,8 @@ bool is_blank(const std::string& line) {
 }
 
 [[noreturn]] void refuse_unreadable(const std::string& source) {
-  throw InputError(source, fmt::format("the file cannot be read: {}; name a file, or - for standard input",
-                                       std::strerror(errno)));
+  throw InputError(source, "the file cannot be read: {}; name a file, or - for standard input",
+                   std::strerror(errno));
 }
 
 /// Reads the next line, with its end. Returns false at the end of the file. Throws InputError if the file

@@ -63,9 +63,8 @@ int write_file(const fs::path& file, const std::string& text, const std::string&
   const OpenFile open(std::fopen(file.c_str(), "we"));
   if (!open)
     throw InputError(
-        path, fmt::format("the file cannot be created: {}; name a file in a folder that exists and that you "
-                          "may write to",
-                          std::strerror(errno)));
+        path, "the file cannot be created: {}; name a file in a folder that exists and that you may write to",
+        std::strerror(errno));
   return write(text, open.get());
 }
 

@@ -102,9 +102,10 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
   void open(Json container) {
     if (open_.size() == max_levels)
-      throw InputError(source_, fmt::format("the document is nested more than {} levels deep, deeper than "
-                                            "any layout, record or prediction; give another file",
-                                            max_levels));
+      throw InputError(source_,
+                       "the document is nested more than {} levels deep, deeper than any layout, record or "
+                       "prediction; give another file",
+                       max_levels);
     open_.push_back(add(std::move(container)));
   }
 

@@ -64,8 +64,8 @@ std::string disagreement(const SchemaName& found, const SchemaName& wanted, cons
 /// the version that this program reads.
 void check_schema_name(const Json& document, const std::string& expected, const std::string& source) {
   if (!document.is_object()) {
-    throw InputError(source, fmt::format("the JSON document is {} {}; give an object with \"schema\": \"{}\"",
-                                         document.is_array() ? "an" : "a", document.type_name(), expected));
+    throw InputError(source, "the JSON document is {} {}; give an object with \"schema\": \"{}\"",
+                     document.is_array() ? "an" : "a", document.type_name(), expected);
   }
   const auto entry = document.find("schema");
   if (entry == document.end()) {
@@ -75,15 +75,13 @@ void check_schema_name(const Json& document, const std::string& expected, const 
     }
     throw InputError(
         source,
-        fmt::format(
-            "the document lacks the key \"schema\"; add \"schema\": \"{}\" if the document has this format",
-            expected));
+        "the document lacks the key \"schema\"; add \"schema\": \"{}\" if the document has this format",
+        expected);
   }
   const std::string place = source + ":/schema";
   const auto found = entry->is_string() ? parse_schema_name(entry->get<std::string>()) : std::nullopt;
   if (!found)
-    throw InputError(
-        place, fmt::format("{}: the value of the key \"schema\" must be \"{}\"", entry->dump(), expected));
+    throw InputError(place, "{}: the value of the key \"schema\" must be \"{}\"", entry->dump(), expected);
   const SchemaName wanted = parse_schema_name(expected).value();
   if (found->kind != wanted.kind || found->version != wanted.version) {
     throw InputError(place, disagreement(*found, wanted, entry->get<std::string>()));

@@ -1,7 +1,5 @@
 #include "beadswim/mobility/ewald_plan.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -245,8 +243,8 @@ std::vector<EwaldPlan> plans_with(const EwaldScene& scene, const Aliases& aliase
 EwaldPlan plan_ewald(const EwaldScene& asked) {
   if (!(asked.tolerance >= 1e-12 && asked.tolerance <= 1e-2))
     throw InputError(Setting::tolerance,
-                     fmt::format("the tolerance {} is not between 1e-12 and 1e-2; give a value in this range",
-                                 asked.tolerance));
+                     "the tolerance {} is not between 1e-12 and 1e-2; give a value in this range",
+                     asked.tolerance);
   EwaldScene scene = asked;
   // The flow that the wall adds contains derivatives of two higher orders. Without these factors, errors of
   // up to 12 times the tolerance were measured for forces alone, and 45 times for moments.
@@ -258,9 +256,10 @@ EwaldPlan plan_ewald(const EwaldScene& asked) {
   const double max_cutoff = scene.is_periodic ? shortest / 2 : std::cbrt(volume);
   const double min_cutoff = 2 * scene.largest_radius;  // the sum over pairs must include overlapping beads
   if (max_cutoff < min_cutoff)
-    throw InputError("box", fmt::format("the shortest box edge {} is less than four times the largest bead "
-                                        "radius {}; enlarge the box or use open space ({})",
-                                        shortest, scene.largest_radius, Setting::unbounded));
+    throw InputError("box",
+                     "the shortest box edge {} is less than four times the largest bead radius {}; enlarge "
+                     "the box or use open space ({})",
+                     shortest, scene.largest_radius, Setting::unbounded);
   const Aliases aliases;
   const double long_waves = scene.is_periodic ? excess_of_long_waves(scene.lengths) : 0;
   EwaldPlan best;
@@ -279,20 +278,19 @@ EwaldPlan plan_ewald(const EwaldScene& asked) {
     if (cutoff == min_cutoff) break;
   }
   if (best.cutoff == 0 && !scene.is_for_root)
-    throw InputError(
-        Setting::tolerance,
-        fmt::format("the tolerance {} cannot be met in a box whose shortest edge is {}; increase the "
-                    "tolerance or enlarge the box",
-                    asked.tolerance, shortest));
+    throw InputError(Setting::tolerance,
+                     "the tolerance {} cannot be met in a box whose shortest edge is {}; increase the "
+                     "tolerance or enlarge the box",
+                     asked.tolerance, shortest);
   if (best.cutoff == 0) return best;  // no positive parts in so narrow a box
   best.has_mirror_points = has_mirror_points(scene, best);
   best.is_positive = scene.is_for_root;
   constexpr double max_points = 1e9;
   if (const double points = mesh_points(scene, best, scene.lengths); points > max_points)
     throw InputError("box",
-                     fmt::format("the mesh needs {:.3g} points, above the limit of {:g}; use a smaller "
-                                 "box, or one with less different edges, or open space ({})",
-                                 points, max_points, Setting::unbounded));
+                     "the mesh needs {:.3g} points, above the limit of {:g}; use a smaller box, or one with "
+                     "less different edges, or open space ({})",
+                     points, max_points, Setting::unbounded);
   return best;
 }
 

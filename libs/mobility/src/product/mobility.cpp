@@ -22,8 +22,7 @@ constexpr std::size_t min_spheres_on_mesh = 1000;
 /// Throws InputError if an array does not have the number of elements that the spheres need.
 void check_size(const char* array, std::size_t size, std::size_t needed) {
   if (size != needed)
-    throw InputError("mobility",
-                     fmt::format("the list of {} has {} elements; the spheres need {}", array, size, needed));
+    throw InputError("mobility", "the list of {} has {} elements; the spheres need {}", array, size, needed);
 }
 
 void check(const MobilityScene& scene) {
@@ -31,17 +30,15 @@ void check(const MobilityScene& scene) {
     throw InputError("mobility", "the list of radii is empty; give at least one sphere");
   for (const double radius : scene.radii)
     if (!(radius > 0 && std::isfinite(radius)))
-      throw InputError(
-          "mobility",
-          fmt::format("the radius {} of a sphere is invalid; a finite number greater than 0 is needed",
-                      radius));
+      throw InputError("mobility",
+                       "the radius {} of a sphere is invalid; a finite number greater than 0 is needed",
+                       radius);
   if (!(scene.viscosity > 0 && std::isfinite(scene.viscosity)))
-    throw InputError("mobility",
-                     fmt::format("the viscosity {} is invalid; a finite number greater than 0 is needed",
-                                 scene.viscosity));
+    throw InputError("mobility", "the viscosity {} is invalid; a finite number greater than 0 is needed",
+                     scene.viscosity);
   if (scene.moment_order < 0 || scene.moment_order > max_moment_order)
-    throw InputError("mobility", fmt::format("the order {} of the force moments is invalid; give 0, 1 or 2",
-                                             scene.moment_order));
+    throw InputError("mobility", "the order {} of the force moments is invalid; give 0, 1 or 2",
+                     scene.moment_order);
   if (scene.memory && !scene.domain.box)
     throw InputError("mobility", "a fluid with memory needs a box; give a box, or leave the memory out");
   if (scene.domain.box && (scene.domain.half_space || !scene.flow.is_zero()))
@@ -50,15 +47,14 @@ void check(const MobilityScene& scene) {
   for (const int first : scene.lines)
     if (first < 0 || first + 3 > std::ssize(scene.radii))
       throw InputError("mobility",
-                       fmt::format("three spheres on a line from index {} on go beyond the {} spheres; give "
-                                   "the index of the first of the three",
-                                   first, scene.radii.size()));
+                       "three spheres on a line from index {} on go beyond the {} spheres; give the index of "
+                       "the first of the three",
+                       first, scene.radii.size());
   if (!scene.domain.box) return;
   for (const double length : scene.domain.box->lengths)
     if (!(length > 0 && std::isfinite(length)))
-      throw InputError(
-          "mobility",
-          fmt::format("the box edge {} is invalid; a finite number greater than 0 is needed", length));
+      throw InputError("mobility", "the box edge {} is invalid; a finite number greater than 0 is needed",
+                       length);
 }
 
 EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positions) {

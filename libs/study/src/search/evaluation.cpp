@@ -1,7 +1,5 @@
 #include "beadswim/study/evaluation.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
@@ -35,9 +33,10 @@ void require_method(const std::string& name, Setting setting) {
     throw InputError(setting, format_unknown_name(name, names));
   }
   if (method->input == Method::Input::stroke)
-    throw InputError(setting, fmt::format("{} needs a measured stroke, which belongs to one layout; name a "
-                                          "method that computes the stroke",
-                                          name));
+    throw InputError(
+        setting,
+        "{} needs a measured stroke, which belongs to one layout; name a method that computes the stroke",
+        name);
 }
 
 /// Makes a run on one rank and returns its record.
@@ -56,10 +55,10 @@ std::vector<const SwimmerRecord*> chosen_swimmers(const RunRecord& record, const
                                                   const std::string& source) {
   if (chosen) return {&find_swimmer(record, *chosen, source)};
   if (record.swimmers.empty())
-    throw InputError(
-        source, fmt::format("records of more than 64 swimmers do not list them; name one with {}, or make "
-                            "a smaller cell with beadswim-layout reduce",
-                            Setting::swimmer));
+    throw InputError(source,
+                     "records of more than 64 swimmers do not list them; name one with {}, or make a smaller "
+                     "cell with beadswim-layout reduce",
+                     Setting::swimmer);
   std::vector<const SwimmerRecord*> all;
   for (const SwimmerRecord& swimmer : record.swimmers) all.push_back(&swimmer);
   return all;

@@ -87,8 +87,7 @@ class LayoutSearch {
       for (const std::string& name : value.names) {
         if (!name.starts_with('/') || !json_.contains(Json::json_pointer(name))) continue;
         if (!json_.at(Json::json_pointer(name)).is_number())
-          throw InputError(Setting::free_quantity,
-                           fmt::format("\"{}\" leads to no number in {}", name, member_.source));
+          throw InputError(Setting::free_quantity, "\"{}\" leads to no number in {}", name, member_.source);
       }
     }
   }
@@ -151,8 +150,7 @@ class LayoutSearch {
     try {
       other.require_treatable(layout_, member_.source);
     } catch (const InputError& error) {
-      throw InputError(Setting::verification,
-                       fmt::format("{} cannot run the layout: {}", other.name, error.what()));
+      throw InputError(Setting::verification, "{} cannot run the layout: {}", other.name, error.what());
     }
   }
 

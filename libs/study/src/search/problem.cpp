@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -80,11 +78,11 @@ void Problem::require_outcomes(const Outcomes& outcomes, const std::string& eval
     if (outcome == ResultQuantity::effective_diffusion &&
         outcomes.contains(ResultQuantity::rotational_diffusion))
       throw InputError(setting,
-                       fmt::format("runs by {} are shorter than five persistence times, from which on "
-                                   "they give {}; increase {}",
-                                   evaluator, to_text(outcome), Setting::cycles));
-    throw InputError(setting, fmt::format("{} gives no {} for this layout; it gives {}", evaluator,
-                                          to_text(outcome), joined(given, ", ")));
+                       "runs by {} are shorter than five persistence times, from which on they give {}; "
+                       "increase {}",
+                       evaluator, to_text(outcome), Setting::cycles);
+    throw InputError(setting, "{} gives no {} for this layout; it gives {}", evaluator, to_text(outcome),
+                     joined(given, ", "));
   };
   require(objective, is_maximised ? Setting::maximise : Setting::minimise);
   for (const Constraint& constraint : constraints) require(constraint.outcome, Setting::limit);

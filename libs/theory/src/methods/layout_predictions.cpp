@@ -45,8 +45,8 @@ const Swimmer& find_swimmer(const Layout& layout, int id, const std::string& sou
   if (found != layout.swimmers.end()) return *found;
   const auto [lowest, highest] = std::ranges::minmax_element(layout.swimmers, {}, &Swimmer::id);
   throw InputError(Setting::swimmer,
-                   fmt::format("the layout {} has no swimmer with the id {}; the ids range from {} to {}",
-                               source, id, lowest->id, highest->id));
+                   "the layout {} has no swimmer with the id {}; the ids range from {} to {}", source, id,
+                   lowest->id, highest->id);
 }
 
 /// Returns the first swimmer of the layout. Throws InputError if other swimmers have other parameters,
@@ -57,10 +57,10 @@ const Swimmer& find_common_swimmer(const Layout& layout, const std::string& sour
   for (const Swimmer& other : layout.swimmers) {
     if (theory_swimmer(layout, other) == common) continue;
     throw InputError(
-        source, fmt::format("swimmers {} and {} differ, but a prediction is for one swimmer; name the "
-                            "swimmer with {} ID{}",
-                            first.id, other.id, Setting::swimmer,
-                            layout.domain.box ? ", or make a smaller cell with beadswim-layout reduce" : ""));
+        source,
+        "swimmers {} and {} differ, but a prediction is for one swimmer; name the swimmer with {} ID{}",
+        first.id, other.id, Setting::swimmer,
+        layout.domain.box ? ", or make a smaller cell with beadswim-layout reduce" : "");
   }
   return first;
 }
@@ -82,9 +82,8 @@ Stroke stroke_for(const Layout& layout, const Question& question, const Measured
   const double period = question.line().period * question.units().time;
   if (std::abs(measured.period / period - 1) > period_tolerance) {
     throw InputError(
-        where,
-        fmt::format("the driving period is {} in the run but {} in the layout; give a run of the same layout",
-                    measured.period, period));
+        where, "the driving period is {} in the run but {} in the layout; give a run of the same layout",
+        measured.period, period);
   }
   Stroke stroke = measured.stroke;
   for (double& amplitude : stroke.amplitude) amplitude /= question.units().length;
@@ -114,8 +113,8 @@ void predict_by_all(const Question& question, LayoutPredictions& predicted) {
   }
   if (predicted.predictions.empty()) {
     throw InputError(fmt::format("{} {}", Setting::method, all_methods),
-                     fmt::format("no method can predict this swimmer; {}, for example, cannot because {}",
-                                 predicted.left_out.front().method, predicted.left_out.front().reason));
+                     "no method can predict this swimmer; {}, for example, cannot because {}",
+                     predicted.left_out.front().method, predicted.left_out.front().reason);
   }
 }
 
@@ -140,15 +139,15 @@ void check_stroke_is_used(const LayoutPredictions& predicted, const Question& qu
   for (const LeftOutMethod& left_out : predicted.left_out) {
     if (!uses_it(left_out.method)) continue;
     throw InputError(Setting::stroke_record,
-                     fmt::format("no method can use the measured stroke; {}, for example, cannot because {}",
-                                 left_out.method, left_out.reason));
+                     "no method can use the measured stroke; {}, for example, cannot because {}",
+                     left_out.method, left_out.reason);
   }
   std::vector<std::string> users;
   for (const Method& method : methods())
     if (method.uses_stroke()) users.push_back(method.name);
   throw InputError(Setting::stroke_record,
-                   fmt::format("none of the named methods uses a measured stroke; add one of {} to {}",
-                               joined(users, ", "), Setting::method));
+                   "none of the named methods uses a measured stroke; add one of {} to {}",
+                   joined(users, ", "), Setting::method);
 }
 
 /// Returns the unit of a setting of a prediction.

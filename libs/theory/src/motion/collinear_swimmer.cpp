@@ -18,10 +18,10 @@ double driving_direction(const ThreeBeadSwimmer& type, const Vec3& axis) {
   if (type.driving.frame != DrivingFrame::lab) return 1;
   if (!stays_on_a_line(type, axis)) {
     throw InputError("axis",
-                     fmt::format("the axis [{}, {}, {}] is not along x, but the driving forces are along x "
-                                 "(frame \"lab\"), so the motion is not along the axis; theory requires an "
-                                 "axis along x, or driving with the frame \"initial-axis\" or \"body\"",
-                                 axis.x(), axis.y(), axis.z()));
+                     "the axis [{}, {}, {}] is not along x, but the driving forces are along x (frame "
+                     "\"lab\"), so the motion is not along the axis; theory requires an axis along x, or "
+                     "driving with the frame \"initial-axis\" or \"body\"",
+                     axis.x(), axis.y(), axis.z());
   }
   return axis.x() > 0 ? 1 : -1;
 }
@@ -30,9 +30,9 @@ void check_stiffness(const ThreeBeadSwimmer& type) {
   for (int arm = 0; arm < 2; ++arm) {
     if (!(type.springs[arm].stiffness > 0)) {
       throw InputError(fmt::format("springs/{}/stiffness", arm),
-                       fmt::format("a spring stiffness of {} does not fix the mean arm length, so no "
-                                   "periodic motion exists; theory needs a stiffness above 0",
-                                   type.springs[arm].stiffness));
+                       "a spring stiffness of {} does not fix the mean arm length, so no periodic motion "
+                       "exists; theory needs a stiffness above 0",
+                       type.springs[arm].stiffness);
     }
   }
 }

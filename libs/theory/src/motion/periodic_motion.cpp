@@ -305,9 +305,9 @@ PeriodicMotion periodic_motion(const CollinearSwimmer& swimmer, const LinePositi
     if (unresolved_part(state.motion) < resolved) return motion_result(swimmer, balance, state.motion);
   }
   throw InputError("stroke",
-                   fmt::format("the periodic motion of the swimmer has more than {} harmonics, too many to "
-                               "compute; reduce {}, so that the gaps between beads stay larger",
-                               max_nodes / 2, Setting::amplitude));
+                   "the periodic motion of the swimmer has more than {} harmonics, too many to compute; "
+                   "reduce {}, so that the gaps between beads stay larger",
+                   max_nodes / 2, Setting::amplitude);
 }
 
 }  // namespace beadswim

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
@@ -113,10 +111,10 @@ std::optional<ShapeCycle> periodic_cycle(const ShapedSwimmer& swimmer, const Sha
     smallest = std::min(smallest, change);
   }
   throw InputError(
-      "stroke", fmt::format("the motion does not become periodic within {} cycles: drives along directions "
-                            "of the box turn the swimmer, or its springs are too soft; use the driving frame "
-                            "\"{}\", or stiffer springs",
-                            max_cycles, to_text(DrivingFrame::body)));
+      "stroke",
+      "the motion does not become periodic within {} cycles: drives along directions of the box turn the "
+      "swimmer, or its springs are too soft; use the driving frame \"{}\", or stiffer springs",
+      max_cycles, to_text(DrivingFrame::body));
 }
 
 /// Returns the rotation vector Omega T (swimmers/turning_frame.hpp) [radian].

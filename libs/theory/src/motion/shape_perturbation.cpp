@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -66,12 +64,10 @@ void require_relaxed_angles(const SwimmerType& type, const BeadVectors& shape) {
         "bend; use a method at finite amplitude");
   for (std::size_t k = 0; k < type.angles.size(); ++k) {
     if (std::abs(bending_of(still, k, 0, shape)) <= relaxed) continue;
-    throw InputError(
-        "the shape of the swimmer",
-        fmt::format("without drives, other springs bend angular spring {}, which the second order "
-                    "neglects; use a method at finite amplitude, or rest angles that fit the rest "
-                    "lengths",
-                    k + 1));
+    throw InputError("the shape of the swimmer",
+                     "without drives, other springs bend angular spring {}, which the second order neglects; "
+                     "use a method at finite amplitude, or rest angles that fit the rest lengths",
+                     k + 1);
   }
 }
 
