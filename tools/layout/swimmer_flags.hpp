@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
-#include <vector>
 
 #include "beadswim/scene/layout.hpp"
 #include "beadswim/scene/units.hpp"

@@ -1,7 +1,5 @@
 #include "problem_text.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>

@@ -1,9 +1,6 @@
 #include "flow_field.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "beadswim/core/error.hpp"
 

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <set>
 #include <span>
 

@@ -1,7 +1,5 @@
 #include "flow_arrows.hpp"
 
-#include <cmath>
-
 #include "beadswim/core/error.hpp"
 #include "beadswim/io/vti.hpp"
 

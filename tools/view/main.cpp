@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <cmath>
 
 #include "beadswim/core/error.hpp"

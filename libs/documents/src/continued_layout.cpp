@@ -1,6 +1,5 @@
 #include "beadswim/documents/continued_layout.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

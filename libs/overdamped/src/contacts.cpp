@@ -1,7 +1,6 @@
 #include "beadswim/overdamped/contacts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "beadswim/core/cell_list.hpp"

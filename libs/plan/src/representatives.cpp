@@ -1,7 +1,5 @@
 #include "beadswim/plan/representatives.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>

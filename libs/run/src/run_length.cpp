@@ -1,7 +1,5 @@
 #include "beadswim/run/run_length.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,5 @@
 #include "beadswim/scene/defects.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <optional>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/io/json.hpp"

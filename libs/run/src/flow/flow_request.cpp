@@ -1,7 +1,5 @@
 #include "beadswim/run/flow_request.hpp"
 
-#include <fmt/core.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <charconv>

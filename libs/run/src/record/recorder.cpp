@@ -1,7 +1,5 @@
 #include "record/recorder.hpp"
 
-#include <fmt/core.h>
-
 #include <Eigen/Geometry>
 #include <limits>
 #include <numbers>

@@ -1,7 +1,5 @@
 #include "beadswim/theory/methods.hpp"
 
-#include <fmt/core.h>
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
