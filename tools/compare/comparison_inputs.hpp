@@ -21,7 +21,7 @@ struct ComparisonRequest {
   std::string table;                            ///< file of result_table(); empty: the runs are compared
   std::optional<std::string> method;            ///< method of the verdict; nullopt: best_reference()
   std::vector<ResultQuantity> quantities;
-  double tolerance = 0;  ///< largest accepted |relative error|
+  double tolerance = 0.05;  ///< largest accepted |relative error|
   CycleChoice cycle;
   std::vector<std::string> allowed_differences;    ///< properties in which run and reference may differ
   bool shows_all = false;                          ///< the table on standard error has all rows

@@ -12,52 +12,39 @@ namespace {
 
 using namespace beadswim;
 
-void add_flags(CLI::App& program, ComparisonRequest& request, std::string& cycle) {
-  program
-      .add_option(
-          "FILES", request.files,
-          "Run records or trajectories (.h5md), and last the reference for the comparison: predictions "
-          "of beadswim-theory or another run. Streams (JSON Lines) are paired by their studies.")
-      ->type_name("RUN... REFERENCE")
+void add_flags(CLI::App& program, ComparisonRequest& request) {
+  add_value(program, "FILES", request.files, {.name = "RUN... REFERENCE"},
+            "Run records or trajectories (.h5md), and last the reference for the comparison: predictions of "
+            "beadswim-theory or another run. Streams (JSON Lines) are paired by their studies.")
       ->default_str("");
-  program
-      .add_option("--reference", request.further_references,
-                  "Additional reference to compare with, repeatable. It determines the verdict only if "
-                  "--method names a method that REFERENCE lacks")
-      ->type_name("FILE")
-      ->allow_extra_args(false)
-      ->default_str("none");
-  program
-      .add_option("--method", request.method,
-                  "Theory method that determines the verdict, or run for a record")
-      ->type_name("NAME")
-      ->default_str("first usable of inertia-corrected, multipole-ode, rpy-ode, rpy-perturbation, others");
+  add_value(program, "--reference", request.further_references, {.name = "FILE", .initial = "none"},
+            "Additional reference to compare with, repeatable. It determines the verdict only if --method "
+            "names a method that REFERENCE lacks")
+      ->allow_extra_args(false);
+  add_value(
+      program, "--method", request.method,
+      {.name = "NAME",
+       .initial = "first usable of inertia-corrected, multipole-ode, rpy-ode, rpy-perturbation, others"},
+      "Theory method that determines the verdict, or run for a record");
   request.quantities.assign(default_quantities.begin(), default_quantities.end());
   add_choices(
       program, "--quantity", request.quantities,
       "Results to compare, of those that beadswim-plot against draws; velocity: along the axis, minus the "
       "mean flow");
-  program
-      .add_option("--tolerance", request.tolerance,
-                  "Largest relative error between run and reference with which a run passes, below 1; 0.05 "
-                  "means 5 % [1]")
-      ->type_name("E")
-      ->default_val(0.05)
-      ->check(fraction());
-  program
-      .add_option("--cycle", cycle,
-                  "Driving cycle of each run that is compared: the last, cycle number N (the first is 1), or "
-                  "the mean over the last N cycles")
-      ->type_name("last|N|mean:N");
-  program
-      .add_option("--allow-difference", request.allowed_differences,
-                  "Properties in which the scenes of run and reference may differ, such as domain,fluid; the "
-                  "verdict lists the differences")
+  add_value(program, "--tolerance", request.tolerance, {"E", fraction()},
+            "Largest relative error between run and reference with which a run passes, below 1; 0.05 means 5 "
+            "% [1]");
+  add_value(
+      program, "--cycle", [&request](const std::string& text) { request.cycle = parse_cycle_choice(text); },
+      {.name = "last|N|mean:N", .initial = "last"},
+      "Driving cycle of each run that is compared: the last, cycle number N (the first is 1), or the mean "
+      "over the last N cycles");
+  add_value(program, "--allow-difference", request.allowed_differences,
+            {"NAME,...", one_of(scene_property_names()), "none"},
+            "Properties in which the scenes of run and reference may differ, such as domain,fluid; the "
+            "verdict lists the differences")
       ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(one_of(scene_property_names()))
-      ->type_name("NAME,...")
-      ->default_str("none");
+      ->allow_extra_args(false);
   program.add_flag("--all", request.shows_all,
                    "Print all rows of the table, not only what decides and the best.");
   add_value(program, "--swimmer", request.swimmer,
@@ -119,10 +106,8 @@ int run(int argc, const char* const* argv) {
       "a table on standard error. The exit status is 1 if the verdict is negative. --table writes the "
       "results of runs as a table instead.");
   ComparisonRequest request;
-  std::string cycle = "last";
-  add_flags(*program, request, cycle);
+  add_flags(*program, request);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
-  request.cycle = parse_cycle_choice(cycle);
   if (!request.table.empty()) return write_table(request);
   ComparisonFiles files(request);
   return files.is_stream() ? compare_stream(files, request) : compare_single(files, request);

@@ -85,8 +85,7 @@ class Defects {
 
   void add_sigma(CLI::App& kind, const std::string& help,
                  const CLI::Validator& values = number_between(0, 1e6)) {
-    const auto store = [this](const std::string& text) { sigma_ = parse_angle(text); };
-    add_value(kind, "--sigma", store, {"S", values}, help);
+    add_angle(kind, "--sigma", sigma_, {"S", values}, help);
   }
 
   void add_random(CLI::App& kind, const std::string& help) {

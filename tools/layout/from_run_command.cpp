@@ -34,7 +34,7 @@ Command add_from_run_command(CLI::App& program) {
       },
       "");
   const auto take = [flags](const std::string& text) {
-    if (text != "last") flags->cycle = parse_whole_numbers(text).front();
+    if (text != "last") flags->cycle = std::stoi(text);
   };
   add_value(*command, "--cycle", take, {"last|N", cycles, "last"},
             "Number of the base cycle at whose end the layout starts; 0 is the start of the run");

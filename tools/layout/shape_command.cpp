@@ -16,19 +16,6 @@
 namespace beadswim {
 namespace {
 
-/// Adds a flag whose value is a list of numbers joined by commas.
-void add_list(CLI::App& command, const std::string& flag, std::vector<double>& values, const FlagValue& value,
-              const std::string& help) {
-  const auto take = [&values](const std::string& text) { values = parse_numbers(text); };
-  add_value(command, flag, take, value, help);
-}
-
-void add_angle(CLI::App& command, const std::string& flag, double& radians, const std::string& help,
-               const std::string& initial) {
-  const auto take = [&radians](const std::string& text) { radians = parse_angle(text); };
-  add_value(command, flag, take, {"ALPHA", angle(), initial}, help);
-}
-
 void add_direction(CLI::App& command, Vec3& direction) {
   const auto take = [&direction](const std::string& text) {
     direction = parse_vector(text).stableNormalized();
@@ -95,8 +82,8 @@ void add_flags(CLI::App& command, Triangle& triangle) {
   add_list(command, "--amplitude", triangle.amplitude,
            {"A|A1,A2,A3", number_list({1, 3}, finite_non_negative()), "L/5"},
            "Amplitudes of the rest lengths [length]");
-  add_angle(command, "--phase", triangle.phase,
-            "Phase alpha by which a side is behind the previous one, as 1.5 or 90deg [rad]", "120deg");
+  add_angle(command, "--phase", triangle.phase, {"ALPHA", angle(), "120deg"},
+            "Phase alpha by which a side is behind the previous one, as 1.5 or 90deg [rad]");
 }
 
 void add_flags(CLI::App& command, PrescribedThreeBead& swimmer) {
@@ -109,26 +96,25 @@ void add_flags(CLI::App& command, PrescribedThreeBead& swimmer) {
   add_list(command, "--amplitude", swimmer.amplitude,
            {"A|A1,A2", number_list({1, 2}, finite_non_negative()), "L/5"},
            "Amplitudes A1 and A2 of the arms [length]");
-  add_angle(command, "--phase", swimmer.phase,
-            "Phase alpha by which arm 1 is ahead of arm 2, as 1.5 or 90deg [rad]", "90deg");
+  add_angle(command, "--phase", swimmer.phase, {"ALPHA", angle(), "90deg"},
+            "Phase alpha by which arm 1 is ahead of arm 2, as 1.5 or 90deg [rad]");
 }
 
 void add_flags(CLI::App& command, PurcellChain& chain) {
   begin_group(command, "Beads");
-  const auto take = [&chain](const std::string& text) { chain.beads_per_link = parse_whole_numbers(text); };
-  add_value(command, "--beads-per-link", take,
-            {"N|N1,N2", number_list({1, 2}, whole_number(2, max_beads)), "4"},
-            "Number of beads of a link, both hinges included, of the outer links and of the middle one");
+  add_list(command, "--beads-per-link", chain.beads_per_link,
+           {"N|N1,N2", number_list({1, 2}, whole_number(2, max_beads)), "4"},
+           "Number of beads of a link, both hinges included, of the outer links and of the middle one");
   add_distance(command, chain.arm);
   add_radius(command, chain, 1);
   add_angular_stiffness(command, chain.angular_stiffness, "1000 gamma omega L^2, L: length of a link");
   begin_driving(command, "hinges at theta + A sin(2 pi t/T), theta + A sin(2 pi t/T + alpha)", chain);
-  add_angle(command, "--rest-angle", chain.rest_angle,
-            "Mean angle theta of the hinges, 0 for a straight chain, as 1 or 60deg [rad]", "60deg");
-  add_angle(command, "--amplitude", chain.amplitude,
-            "Amplitude A of the angles; hinges with A >= theta pass straight [rad]", "40deg");
-  add_angle(command, "--phase", chain.phase,
-            "Phase alpha by which hinge 2 is ahead of hinge 1, as 1.5 or 90deg [rad]", "90deg");
+  add_angle(command, "--rest-angle", chain.rest_angle, {"ALPHA", angle(), "60deg"},
+            "Mean angle theta of the hinges, 0 for a straight chain, as 1 or 60deg [rad]");
+  add_angle(command, "--amplitude", chain.amplitude, {"ALPHA", angle(), "40deg"},
+            "Amplitude A of the angles; hinges with A >= theta pass straight [rad]");
+  add_angle(command, "--phase", chain.phase, {"ALPHA", angle(), "90deg"},
+            "Phase alpha by which hinge 2 is ahead of hinge 1, as 1.5 or 90deg [rad]");
 }
 
 void add_flags(CLI::App& command, Flagellum& flagellum) {

@@ -49,65 +49,43 @@ std::unique_ptr<CLI::App> optimise_program(Flags& flags) {
       make_program(program_name,
                    "Searches for the values of a few quantities of a layout with which its swimmer swims "
                    "fastest, most efficiently or with least power. Writes the layout with these values.");
-  program->add_option("layout", flags.files, "Layout files (JSON, JSON Lines); - is standard input.")
-      ->type_name("FILE")
-      ->default_str("-");
-  program
-      ->add_option("--free", flags.free,
-                   "A quantity that may change (a flag of beadswim-layout swimmer without --, or a JSON "
-                   "pointer; several take equal values), and its bounds. Repeatable")
-      ->type_name("NAME[,NAME...]=FROM:TO")
+  add_value(*program, "layout", flags.files, {.name = "FILE", .initial = "-"},
+            "Layout files (JSON, JSON Lines); - is standard input.");
+  add_value(*program, "--free", flags.free, {.name = "NAME[,NAME...]=FROM:TO"},
+            "A quantity that may change (a flag of beadswim-layout swimmer without --, or a JSON pointer; "
+            "several take equal values), and its bounds. Repeatable")
       ->required()
       ->allow_extra_args(false);
   add_objective(*program, "--maximise", flags.maximise,
                 "Result, from the list below, that is to be as large as possible");
   add_objective(*program, "--minimise", flags.minimise,
                 "Result, from the list below, that is to be as small as possible; velocity: with its sign");
-  program
-      ->add_option(
-          "--subject-to", flags.constraints,
-          "A limit of one of these results; gap: the smallest between the beads of an arm. Repeatable")
-      ->type_name("NAME=[MIN]:[MAX]")
-      ->default_str("none")
+  add_value(*program, "--subject-to", flags.constraints, {.name = "NAME=[MIN]:[MAX]", .initial = "none"},
+            "A limit of one of these results; gap: the smallest between the beads of an arm. Repeatable")
       ->allow_extra_args(false);
   begin_group(*program, "Evaluation");
-  CLI::Option* method =
-      program
-          ->add_option("--method", flags.method, "Theory method of beadswim-theory that evaluates a layout")
-          ->type_name("NAME")
-          ->capture_default_str();
+  CLI::Option* method = add_value(*program, "--method", flags.method, {.name = "NAME"},
+                                  "Theory method of beadswim-theory that evaluates a layout");
   add_word(*program, "--model", mobility_models(), "",
            "Model of beadswim-run that evaluates a layout instead",
            [&flags](const std::string& word) { flags.model = word; })
       ->excludes(method);
-  program
-      ->add_option("--verify-by", flags.verify_by,
-                   "Method or model, also lbm, that evaluates the layout that was found once more")
-      ->type_name("NAME")
-      ->default_str("none");
-  program
-      ->add_option("--cycles", flags.evaluator.cycles, "Length of each run by a model; its last cycle counts")
-      ->type_name("N")
-      ->check(finite_positive())
-      ->default_str("as beadswim-run");
-  program->add_option("--swimmer", flags.evaluator.swimmer, "Id of the swimmer")
-      ->type_name("ID")
-      ->check(whole_number(0, std::numeric_limits<int>::max()))
-      ->default_str("theory: all, if they are equal; models: their mean");
+  add_value(*program, "--verify-by", flags.verify_by, {.name = "NAME", .initial = "none"},
+            "Method or model, also lbm, that evaluates the layout that was found once more");
+  add_value(*program, "--cycles", flags.evaluator.cycles, {"N", finite_positive(), "as beadswim-run"},
+            "Length of each run by a model; its last cycle counts");
+  add_value(*program, "--swimmer", flags.evaluator.swimmer,
+            {"ID", whole_number(0, std::numeric_limits<int>::max()),
+             "theory: all, if they are equal; models: their mean"},
+            "Id of the swimmer");
   begin_group(*program, "Search");
-  program->add_option("--evaluations", flags.evaluations, "Largest number of evaluations of the search")
-      ->type_name("N")
-      ->check(whole_number(10, 1000000))
-      ->default_str("100; for several free values 200 per value");
-  program
-      ->add_option("--seed", flags.seed,
-                   "Seed of the random numbers of the search for four quantities or more")
-      ->type_name("N")
-      ->check(whole_number(0, std::numeric_limits<int>::max()))
-      ->capture_default_str();
-  program->add_option("--trace", flags.trace, "File for all evaluations, one per line (JSON Lines)")
-      ->type_name("FILE")
-      ->default_str("none");
+  add_value(*program, "--evaluations", flags.evaluations,
+            {"N", whole_number(10, 1000000), "100; for several free values 200 per value"},
+            "Largest number of evaluations of the search");
+  add_value(*program, "--seed", flags.seed, {"N", whole_number(0, std::numeric_limits<int>::max())},
+            "Seed of the random numbers of the search for four quantities or more");
+  add_value(*program, "--trace", flags.trace, {.name = "FILE", .initial = "none"},
+            "File for all evaluations, one per line (JSON Lines)");
   set_footer(*program,
              {"beadswim-layout swimmer --preset paper-single --unbounded | \\\n"
               "beadswim-optimise --free phase=0:180deg --maximise velocity >fastest.json",

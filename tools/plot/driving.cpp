@@ -192,8 +192,8 @@ DrawFigure add_stroke_flags(CLI::App& command) {
              if (word != "cycle")
                flags->against = word == "phase" ? AbscissaKind::phase : AbscissaKind::amplitude_ratio;
            });
-  add_whole_numbers(command, "--bonds", flags->bonds, {"N,...", number_list({}, whole_positive()), "all"},
-                    "Numbers of the bonds whose arm amplitudes are drawn, from 1");
+  add_list(command, "--bonds", flags->bonds, {"N,...", number_list({}, whole_positive()), "all"},
+           "Numbers of the bonds whose arm amplitudes are drawn, from 1");
   return [flags](const PlotFiles& files) {
     InputChoice choice = flags->choice;
     if (!flags->against) choice.cycle = {};  // all cycles are drawn

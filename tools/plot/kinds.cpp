@@ -20,15 +20,9 @@ void add_result_flags(CLI::App& command, InputChoice& choice) {
             "over the last N cycles");
 }
 
-void add_whole_numbers(CLI::App& command, const std::string& flag, std::vector<int>& numbers,
-                       const FlagValue& value, const std::string& help) {
-  const auto take = [&numbers](const std::string& text) { numbers = parse_whole_numbers(text); };
-  add_value(command, flag, take, value, help);
-}
-
 void add_swimmers(CLI::App& command, std::vector<int>& ids, const std::string& name,
                   const std::string& initial, const std::string& help) {
-  add_whole_numbers(command, "--swimmers", ids, {name, number_list({}, id_or_frame_number()), initial}, help);
+  add_list(command, "--swimmers", ids, {name, number_list({}, id_or_frame_number()), initial}, help);
 }
 
 }  // namespace beadswim

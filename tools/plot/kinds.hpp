@@ -44,10 +44,6 @@ void add_result_flags(CLI::App& command, InputChoice& choice);
 /// Ids of swimmers, or numbers of frames.
 CLI::Validator id_or_frame_number();
 
-/// Adds a flag whose value is a list of whole numbers, joined by commas, as number_list() accepts it.
-void add_whole_numbers(CLI::App& command, const std::string& flag, std::vector<int>& numbers,
-                       const FlagValue& value, const std::string& help);
-
 /// Adds the flag --swimmers, which lists ids of swimmers.
 void add_swimmers(CLI::App& command, std::vector<int>& ids, const std::string& name,
                   const std::string& initial, const std::string& help);

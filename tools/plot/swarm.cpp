@@ -334,13 +334,12 @@ DrawFigure add_swarm_flags(CLI::App& command) {
              "frame; a record as second file adds results")
       ->type_name("NAME")
       ->excludes(colours);
-  add_whole_numbers(command, "--block-swimmers", options->block_swimmers,
-                    {"NX,NY,NZ|N", number_list({1, 3}, whole_positive()), "1,3,3"},
-                    "Number of swimmers in a block: along x, y, z (by layers of the layout), or in total (by "
-                    "consecutive ids)");
-  add_whole_numbers(command, "--repeat", options->repeat,
-                    {"NX,NY,NZ", number_list({3}, whole_positive()), "1,1,1"},
-                    "Number of periodic copies of the box to draw along x, y, z, the box itself included");
+  add_list(command, "--block-swimmers", options->block_swimmers,
+           {"NX,NY,NZ|N", number_list({1, 3}, whole_positive()), "1,3,3"},
+           "Number of swimmers in a block: along x, y, z (by layers of the layout), or in total (by "
+           "consecutive ids)");
+  add_list(command, "--repeat", options->repeat, {"NX,NY,NZ", number_list({3}, whole_positive()), "1,1,1"},
+           "Number of periodic copies of the box to draw along x, y, z, the box itself included");
   command
       .add_option_function<std::vector<std::string>>(
           "--mark",

@@ -189,9 +189,9 @@ Figure trajectory_figure(const std::vector<std::string>& paths, const Trajectory
 DrawFigure add_trajectory_flags(CLI::App& command) {
   const auto options = std::make_shared<TrajectoryFlags>();
   add_swimmers(command, options->swimmers, "ID,...", "all", "Ids of the swimmers to draw");
-  add_whole_numbers(command, "--beads", options->beads,
-                    {"N,...", number_list({}, whole_number(1, max_beads)), "the middle bead"},
-                    "Numbers of the beads of each swimmer to draw, from 1");
+  add_list(command, "--beads", options->beads,
+           {"N,...", number_list({}, whole_number(1, max_beads)), "the middle bead"},
+           "Numbers of the beads of each swimmer to draw, from 1");
   add_word(command, "--along", {"x", "y", "z"}, "x", "Coordinate to draw, not wrapped into the box",
            [options](const std::string& word) { options->axis = word[0] - 'x'; });
   add_word(

@@ -94,12 +94,6 @@ std::set<Setting> chosen_settings(const CLI::App& program) {
   return chosen;
 }
 
-/// Adds a flag for a positive number of the unit `type`. `initial`: default in the help.
-void add_positive(CLI::App& program, const std::string& flag, const std::string& type,
-                  std::optional<double>& value, const std::string& initial, const std::string& help) {
-  program.add_option(flag, value, help)->type_name(type)->check(finite_positive())->default_str(initial);
-}
-
 void add_model(CLI::App& program, RunOptions& options) {
   begin_group(program, "Model");
   add_setting_flags(program, SettingGroup::model, options.settings);
@@ -108,34 +102,28 @@ void add_model(CLI::App& program, RunOptions& options) {
       "--plan", options.plan,
       "Run nothing; print the expected error and cost of all possible runs, and the cheapest run within "
       "--tolerance. If you give --tolerance and no run is within it, the exit status is 2.");
-  add_positive(program, "--tolerance", "E", options.tolerance, "0.03",
-               "Largest relative error of velocity and arm amplitudes for --plan and --model auto [1]");
+  add_value(program, "--tolerance", options.tolerance, {"E", finite_positive(), "0.03"},
+            "Largest relative error of velocity and arm amplitudes for --plan and --model auto [1]");
 }
 
 void add_stops(CLI::App& program, RunOptions& options) {
   begin_group(program, "Checkpoints and restart");
   add_setting_flags(program, SettingGroup::checkpoints, options.settings);
-  program
-      .add_option("--restart", options.restart,
-                  "Checkpoint, or trajectory whose last checkpoint is used, from which the run continues. "
-                  "Only --cycles (total), outputs and ranks may change")
-      ->type_name("FILE.h5md|FILE.h5md.ckpt.N")
+  add_value(program, "--restart", options.restart, {.name = "FILE.h5md|FILE.h5md.ckpt.N"},
+            "Checkpoint, or trajectory whose last checkpoint is used, from which the run continues. Only "
+            "--cycles (total), outputs and ranks may change")
       ->default_str("");
-  add_positive(program, "--time-limit", "S", options.time_limit, "none",
-               "Wall time after which the run stops, writes its results and a checkpoint, and ends with exit "
-               "status 4. The signals SIGINT, SIGTERM and SIGUSR1 have the same effect [s]");
+  add_value(program, "--time-limit", options.time_limit, {"S", finite_positive(), "none"},
+            "Wall time after which the run stops, writes its results and a checkpoint, and ends with exit "
+            "status 4. The signals SIGINT, SIGTERM and SIGUSR1 have the same effect [s]");
 }
 
 void add_outputs(CLI::App& program, RunOptions& options) {
   begin_group(program, "Output");
   add_setting_flags(program, SettingGroup::output, options.settings);
-  program
-      .add_option(
-          "--ranks-per-run", options.ranks_per_run,
-          "Number of ranks that run one layout of a stream together; several layouts run at the same time")
-      ->type_name("N")
-      ->check(whole_number(1, 10000000))
-      ->default_str("as few as keep all ranks busy");
+  add_value(program, "--ranks-per-run", options.ranks_per_run,
+            {"N", whole_number(1, 10000000), "as few as keep all ranks busy"},
+            "Number of ranks that run one layout of a stream together; several layouts run at the same time");
   add_choice(program, "--progress", options.progress,
              "Form of the progress messages on standard error; auto is bar on a terminal, otherwise lines. "
              "All except bar are printed every 10 s");
@@ -148,11 +136,9 @@ void add_flags(CLI::App& program, RunOptions& options) {
   program.add_option("LAYOUT", options.layouts, "Layout files (JSON, JSON Lines); - is standard input.")
       ->default_str("-");
   begin_group(program, "Output");
-  program
-      .add_option("-o,--output", options.output,
-                  "Trajectory file to write (H5MD); an existing file is replaced when the run ends. Required "
-                  "without --restart. In the name, {} is the number of the layout of a stream")
-      ->type_name("FILE.h5md")
+  add_value(program, "-o,--output", options.output, {.name = "FILE.h5md"},
+            "Trajectory file to write (H5MD); an existing file is replaced when the run ends. Required "
+            "without --restart. In the name, {} is the number of the layout of a stream")
       ->default_str("");
   add_model(program, options);
   begin_group(program, "Length and sampling");

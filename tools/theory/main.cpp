@@ -12,7 +12,7 @@
 #include "beadswim/io/document_stream.hpp"
 #include "beadswim/study/stream.hpp"
 #include "beadswim/theory/methods.hpp"
-#include "beadswim/tools/program.hpp"
+#include "beadswim/tools/named_flags.hpp"
 
 // beadswim-theory predicts velocity and stroke of a swimmer by all theory methods that can treat it, or by
 // the methods that --method names.
@@ -46,39 +46,24 @@ std::unique_ptr<CLI::App> theory_program(Flags& flags) {
   program->add_option("LAYOUT", flags.layouts, "Layout files (JSON, JSON Lines); - is standard input.")
       ->default_str("-");
   begin_group(*program, "Methods");
-  program
-      ->add_option("--method", flags.request.methods,
-                   "Methods to use, from the list below; all uses every method that can treat the swimmer")
+  add_value(*program, "--method", flags.request.methods, {.name = "NAME,...", .initial = "all"},
+            "Methods to use, from the list below; all uses every method that can treat the swimmer")
       ->delimiter(',')
-      ->allow_extra_args(false)  // otherwise CLI11 takes the name of the layout as a method
-      ->default_str("all")
-      ->type_name("NAME,...");
+      ->allow_extra_args(false);  // otherwise CLI11 takes the name of the layout as a method
   begin_group(*program, "Input");
-  program
-      ->add_option("--swimmer", flags.request.swimmer,
-                   "Id of the swimmer to predict; required if the swimmers of the layout differ")
-      ->check(whole_number(0, std::numeric_limits<int>::max()))
-      ->type_name("ID");
-  program
-      ->add_option("--stroke-from", flags.stroke_path,
-                   "Run record with the measured stroke (last cycle) for " +
-                       method_names([](const Method& method) { return method.uses_stroke(); }))
-      ->type_name("FILE");
+  add_value(*program, "--swimmer", flags.request.swimmer,
+            {"ID", whole_number(0, std::numeric_limits<int>::max())},
+            "Id of the swimmer to predict; required if the swimmers of the layout differ");
+  add_value(*program, "--stroke-from", flags.stroke_path, {.name = "FILE"},
+            "Run record with the measured stroke (last cycle) for " +
+                method_names([](const Method& method) { return method.uses_stroke(); }));
   begin_group(*program, "Methods");
-  program
-      ->add_option("--tolerance", flags.request.tolerance,
-                   "Expected relative error of the methods of second order in the driving amplitude above "
-                   "which a warning is printed [1]")
-      ->type_name("E")
-      ->check(finite_positive())
-      ->capture_default_str();
+  add_value(*program, "--tolerance", flags.request.tolerance, {"E", finite_positive()},
+            "Expected relative error of the methods of second order in the driving amplitude above which a "
+            "warning is printed [1]");
   begin_group(*program, "Streams of layouts");
-  program
-      ->add_option("--jobs", flags.jobs,
-                   "Number of processes that treat the layouts of a stream at the same time")
-      ->type_name("N")
-      ->check(whole_number(1, 1024))
-      ->default_str("one per processor");
+  add_value(*program, "--jobs", flags.jobs, {"N", whole_number(1, 1024), "one per processor"},
+            "Number of processes that treat the layouts of a stream at the same time");
   program->add_flag("--jsonl", flags.json_lines,
                     "Write the document on one line also if the input is a single layout.");
   set_footer(*program,

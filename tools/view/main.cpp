@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/tools/program.hpp"
+#include "beadswim/tools/named_flags.hpp"
 #include "page.hpp"
 #include "page_data.hpp"
 
@@ -21,36 +21,22 @@ struct ViewRequest {
 };
 
 void add_flags(CLI::App& program, ViewRequest& request) {
-  program
-      .add_option("FILE", request.file,
-                  "Trajectory file of beadswim-run (.h5md), or the file of an unfinished run (.h5md.part).")
-      ->required()
-      ->type_name("RUN.h5md");
-  program.add_option("-o,--output", request.output, "Web page to write; - is standard output")
-      ->required()
-      ->type_name("PAGE.html|-");
-  program
-      .add_option("--every", request.options.every,
-                  "Interval between the frames that the page contains: every Nth frame and the last. A "
-                  "larger N makes the page smaller")
-      ->type_name("N")
-      ->default_val(1)
-      ->check(whole_positive());
-  program
-      .add_option_function<std::string>(
-          "--block-swimmers",
-          [&request](const std::string& text) { request.options.block_swimmers = parse_whole_numbers(text); },
-          "Number of swimmers in a block: along x, y, z (by layers of the layout), or in total (by "
-          "consecutive ids). The page can colour swimmers by block")
-      ->type_name("NX,NY,NZ|N")
-      ->default_str("1,3,3")
-      ->check(number_list({1, 3}, whole_positive()));
-  program
-      .add_option(
-          "--flow", request.flow,
-          "Flow file of the run (--flow-every, --flow-mean) in the frame of the box. The page shows it "
-          "as at most 4000 arrows")
-      ->type_name("FILE.vti");
+  add_value(program, "FILE", request.file, {.name = "RUN.h5md"},
+            "Trajectory file of beadswim-run (.h5md), or the file of an unfinished run (.h5md.part).")
+      ->required();
+  add_value(program, "-o,--output", request.output, {.name = "PAGE.html|-"},
+            "Web page to write; - is standard output")
+      ->required();
+  add_value(program, "--every", request.options.every, {"N", whole_positive()},
+            "Interval between the frames that the page contains: every Nth frame and the last. A larger N "
+            "makes the page smaller");
+  add_list(program, "--block-swimmers", request.options.block_swimmers,
+           {"NX,NY,NZ|N", number_list({1, 3}, whole_positive()), "1,3,3"},
+           "Number of swimmers in a block: along x, y, z (by layers of the layout), or in total (by "
+           "consecutive ids). The page can colour swimmers by block");
+  add_value(program, "--flow", request.flow, {.name = "FILE.vti"},
+            "Flow file of the run (--flow-every, --flow-mean) in the frame of the box. The page shows it as "
+            "at most 4000 arrows");
   set_footer(program,
              {"beadswim-view run.h5md -o run.html", "beadswim-view run.h5md --every 10 -o small.html"},
              "viewing.md");

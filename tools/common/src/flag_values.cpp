@@ -147,10 +147,4 @@ double parse_angle(const std::string& text) {
   return text.ends_with("deg") ? value * std::numbers::pi / 180 : value;
 }
 
-std::vector<int> parse_whole_numbers(const std::string& text) {
-  std::vector<int> numbers;
-  for (const double number : parse_numbers(text)) numbers.push_back(static_cast<int>(number));
-  return numbers;
-}
-
 }  // namespace beadswim

@@ -33,6 +33,25 @@ CLI::Option* add_value(CLI::App& command, const std::string& flag, Target&& targ
   return option->type_name(value.name);
 }
 
+/// Adds a flag whose value is a list of numbers joined by commas, as number_list() accepts it.
+template <class Number>
+CLI::Option* add_list(CLI::App& command, const std::string& flag, std::vector<Number>& numbers,
+                      const FlagValue& value, const std::string& help) {
+  const auto take = [&numbers](const std::string& text) {
+    const std::vector<double> parsed = parse_numbers(text);
+    numbers.assign(parsed.begin(), parsed.end());
+  };
+  return add_value(command, flag, take, value, help);
+}
+
+/// Adds a flag whose value is an angle in radian, or in degrees with the ending deg.
+template <class Angle>
+CLI::Option* add_angle(CLI::App& command, const std::string& flag, Angle& radians, const FlagValue& value,
+                       const std::string& help) {
+  return add_value(
+      command, flag, [&radians](const std::string& text) { radians = parse_angle(text); }, value, help);
+}
+
 /// Adds a flag whose value is one of `words`. Parsing the flag calls take(word). The help shows `initial` as
 /// the default, unless `initial` is empty.
 CLI::Option* add_word(CLI::App& command, const std::string& flag, const std::vector<std::string>& words,

@@ -79,10 +79,9 @@ CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each)
 /// Returns the parts of a text between its commas.
 std::vector<std::string> split_at_commas(const std::string& text);
 
-/// Return the numbers in a text of numbers joined by commas. The validator number_list() must have accepted
+/// Returns the numbers in a text of numbers joined by commas. The validator number_list() must have accepted
 /// the text.
 std::vector<double> parse_numbers(const std::string& text);
-std::vector<int> parse_whole_numbers(const std::string& text);
 double parse_angle(const std::string& text);  ///< of the form that angle() accepts [radian]
 
 /// Throws InputError if both paths name the same file, because writing the output would destroy the input.
