@@ -36,17 +36,17 @@ TEST(Diffusion, IsThatOfARandomWalkWithItsError) {
   for (int run = 0; run < runs; ++run) {
     std::vector<SwimmerPath> paths;
     for (int s = 0; s < 4; ++s) paths.push_back(random_path(4 * run + s + 1, 2000, v, D, Dr));
-    const auto found = diffusion_statistics(paths, 1);
-    ASSERT_TRUE(found && found->rotational_diffusion && found->persistence_time);
+    const DiffusionStatistics found = diffusion_statistics(paths, 1);
+    ASSERT_TRUE(found.lag && found.mean_velocity && found.rotational_diffusion && found.persistence_time);
     // Ballistic start of a window: factor 1 - (1 - exp(-2 Dr tau))/(2 Dr tau).
-    const double x = 2 * Dr * found->lag, effective = D + v * v / (6 * Dr) * (1 - (1 - std::exp(-x)) / x);
+    const double x = 2 * Dr * *found.lag, effective = D + v * v / (6 * Dr) * (1 - (1 - std::exp(-x)) / x);
     const auto within = [](const MeanAndError<double>& mean, double exact) {
       return std::abs(mean.mean - exact) < 2 * mean.standard_error;
     };
-    right_diffusion += within(*found->effective_diffusion, effective);
-    right_rotation += within(*found->rotational_diffusion, Dr);
-    right_velocity += std::abs(found->mean_velocity.mean[1]) < 2 * found->mean_velocity.standard_error[1];
-    EXPECT_LT(found->rotational_diffusion->standard_error, 0.1 * Dr);
+    right_diffusion += within(*found.effective_diffusion, effective);
+    right_rotation += within(*found.rotational_diffusion, Dr);
+    right_velocity += std::abs(found.mean_velocity->mean[1]) < 2 * found.mean_velocity->standard_error[1];
+    EXPECT_LT(found.rotational_diffusion->standard_error, 0.1 * Dr);
   }
   EXPECT_GT(right_diffusion, 0.9 * runs);
   EXPECT_GT(right_rotation, 0.9 * runs);
@@ -57,11 +57,11 @@ TEST(Diffusion, NeedsTenWindowsAndMeanVelocityTwo) {
   const auto of = [](int intervals) {
     return diffusion_statistics(std::vector<SwimmerPath>{random_path(1, intervals, 0, 1, 0.1)}, 1);
   };
-  EXPECT_FALSE(of(1));
-  ASSERT_TRUE(of(2) && of(9) && of(10));
-  EXPECT_FALSE(of(9)->effective_diffusion);
-  EXPECT_TRUE(of(10)->effective_diffusion);
-  EXPECT_FALSE(diffusion_statistics({}, 1));
+  EXPECT_FALSE(of(1).mean_velocity);
+  ASSERT_TRUE(of(2).mean_velocity && of(9).mean_velocity && of(10).mean_velocity);
+  EXPECT_FALSE(of(9).effective_diffusion);
+  EXPECT_TRUE(of(10).effective_diffusion);
+  EXPECT_FALSE(diffusion_statistics({}, 1).mean_velocity);
 }
 
 }  // namespace

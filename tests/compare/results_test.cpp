@@ -69,11 +69,11 @@ TEST(ResultsOfARun, AreThoseOfItsCycle) {
 TEST(ResultsOfARun, AreMeansWithStandardErrorsIfItHasNoise) {
   RunRecord run = some_run();
   run.scene->fluid.thermal_energy = 0.1;
-  run.thermal =
-      ThermalRecord{.lag = 100,
+  run.thermal = ThermalRecord{
+      .diffusion = {.lag = 100,
                     .effective_diffusion = MeanAndError<double>{.mean = 3, .standard_error = 0.3},
                     .rotational_diffusion = MeanAndError<double>{.mean = 0.05, .standard_error = 0.01},
-                    .persistence_time = MeanAndError<double>{.mean = 10, .standard_error = 2}};
+                    .persistence_time = MeanAndError<double>{.mean = 10, .standard_error = 2}}};
   std::vector<CycleStatistics>& cycles = run.swimmers[0].cycles;
   cycles.push_back(cycles.back());
   cycles[1].arm_phases[0] = 2.1;
@@ -90,7 +90,7 @@ TEST(ResultsOfARun, AreMeansWithStandardErrorsIfItHasNoise) {
   EXPECT_TRUE(velocity.is_mean);
   EXPECT_NEAR(results.at(ResultQuantity::effective_diffusion).error(0), 0.3, 1e-12);
   EXPECT_GT(numbers(results, ResultQuantity::peclet)[0], 0);
-  run.thermal->lag = 40;  // too short to contain the motion along the axis
+  run.thermal->diffusion.lag = 40;  // too short to contain the motion along the axis
   EXPECT_FALSE(results_of(run, {}).contains(ResultQuantity::effective_diffusion));
 }
 

@@ -6,12 +6,11 @@
 
 #include "beadswim/compare/diffusion.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/documents/prediction_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/figure/figure.hpp"
 #include "beadswim/scene/units.hpp"
-#include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/theory/passive_diffusion.hpp"
-#include "beadswim/documents/prediction_document.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
 
@@ -34,10 +33,8 @@ std::vector<SwimmerPath> paths_of(const TrajectoryFile& file) {
     const TrajectoryFrame frame = file.reader.frame(n);
     for (std::size_t s = 0; s < paths.size(); ++s) {
       const SwimmerType& type = file.type(s);
-      const std::span<const Vec3> beads(&frame.positions[first[s]], type.beads.size());
-      paths[s].places.emplace_back(columns_of_beads(beads).rowwise().mean());
-      paths[s].axes.push_back(
-          axis_of(type, beads, file.layout.swimmers[file.in_layout[s]].orientation()));
+      const std::span beads(&frame.positions[first[s]], type.beads.size());
+      paths[s].append(type, beads, file.layout.swimmers[file.in_layout[s]].orientation());
     }
   }
   return paths;
@@ -68,12 +65,11 @@ double add_points(const TrajectoryFile& file, std::vector<Panel>& panels) {
   Series cosines = squares;
   for (const std::size_t lag : lags_up_to(longest)) {
     const auto [square, cosine] = displacement_statistics(paths, lag);
-    squares.x.push_back(static_cast<double>(lag));
-    squares.y.push_back(square.mean);
-    squares.errors.push_back(square.standard_error);
-    cosines.x.push_back(static_cast<double>(lag));
-    cosines.y.push_back(cosine.mean);
-    cosines.errors.push_back(cosine.standard_error);
+    for (const auto& [series, value] : {std::pair(&squares, square), std::pair(&cosines, cosine)}) {
+      series->x.push_back(static_cast<double>(lag));
+      series->y.push_back(value.mean);
+      series->errors.push_back(value.standard_error);
+    }
   }
   panels[0].series.push_back(std::move(squares));
   panels[1].series.push_back(std::move(cosines));

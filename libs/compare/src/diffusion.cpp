@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/swimmers/swimmer_shape.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -26,6 +28,12 @@ MeanAndError<double> turning(std::span<const SwimmerPath> paths, std::size_t len
 }
 
 }  // namespace
+
+void SwimmerPath::append(const SwimmerType& type, std::span<const Vec3> beads,
+                         const Eigen::Matrix3d& initial_orientation) {
+  places.emplace_back(columns_of_beads(beads).rowwise().mean());
+  axes.push_back(axis_of(type, beads, initial_orientation));
+}
 
 MeanAndError<double> mean_with_error(std::span<const double> numbers) {
   const auto count = static_cast<double>(numbers.size());
@@ -65,33 +73,35 @@ void add_turning(std::span<const SwimmerPath> paths, std::size_t intervals, doub
 
 }  // namespace
 
-std::optional<DiffusionStatistics> diffusion_statistics(std::span<const SwimmerPath> paths, double interval) {
+DiffusionStatistics diffusion_statistics(std::span<const SwimmerPath> paths, double interval) {
   constexpr std::size_t wanted_windows = 20;
   constexpr double persistence_times = 10;
   const std::size_t intervals = paths.empty() || paths[0].places.empty() ? 0 : paths[0].places.size() - 1;
   std::size_t length = std::clamp<std::size_t>(intervals * paths.size() / wanted_windows, 1,
                                                std::max<std::size_t>(1, intervals));
-  if (intervals < 2) return std::nullopt;
   DiffusionStatistics result;
+  if (intervals < 2) return result;
   add_turning(paths, intervals, interval, result);
   if (result.persistence_time)
     length = std::min(length, static_cast<std::size_t>(
                                   std::ceil(persistence_times * result.persistence_time->mean / interval)));
-  result.lag = static_cast<double>(length) * interval;
+  const double lag = static_cast<double>(length) * interval;
   const auto displacement = [](const SwimmerPath& path, std::size_t first, std::size_t last) -> Vec3 {
     return path.places[last] - path.places[first];
   };
   std::vector<double> squares;
   std::array<std::vector<double>, 3> velocities;
   for (const Vec3& moved : of_windows(paths, length, displacement)) {
-    squares.push_back(moved.squaredNorm() / (6 * result.lag));
-    for (int a = 0; a < 3; ++a) velocities[a].push_back(moved[a] / result.lag);
+    squares.push_back(moved.squaredNorm() / (6 * lag));
+    for (int a = 0; a < 3; ++a) velocities[a].push_back(moved[a] / lag);
   }
   if (squares.size() >= fewest_windows) result.effective_diffusion = mean_with_error(squares);
+  result.lag = lag;
+  result.mean_velocity.emplace();
   for (int a = 0; a < 3; ++a) {
-    const MeanAndError<double> component = mean_with_error(velocities[a]);
-    result.mean_velocity.mean[a] = component.mean;
-    result.mean_velocity.standard_error[a] = component.standard_error;
+    const auto [mean, error] = mean_with_error(velocities[a]);
+    result.mean_velocity->mean[a] = mean;
+    result.mean_velocity->standard_error[a] = error;
   }
   return result;
 }

@@ -184,15 +184,15 @@ ResultValue result_of(const MeanAndError<double>& value) {
           .is_mean = true};
 }
 
-void add_diffusion(const ThermalRecord& thermal, const SwimmerType* type, const Layout* scene,
+void add_diffusion(const DiffusionStatistics& diffusion, const SwimmerType* type, const Layout* scene,
                    Results& results) {
   // Shorter displacements do not contain all of the diffusion by the motion along the axis.
   constexpr double persistence_times = 5;
-  const auto& persistence = thermal.persistence_time;
-  if (const auto& found = thermal.effective_diffusion;
-      found && persistence && *thermal.lag >= persistence_times * persistence->mean)
+  const auto& persistence = diffusion.persistence_time;
+  if (const auto& found = diffusion.effective_diffusion;
+      found && persistence && *diffusion.lag >= persistence_times * persistence->mean)
     results[ResultQuantity::effective_diffusion] = result_of(*found);
-  if (const auto& found = thermal.rotational_diffusion)
+  if (const auto& found = diffusion.rotational_diffusion)
     results[ResultQuantity::rotational_diffusion] = result_of(*found);
   if (type == nullptr || scene == nullptr) return;
   ResultValue peclet = results.at(ResultQuantity::speed_along_axis);
@@ -213,7 +213,7 @@ Results means_with_noise(const RunRecord& run, const SwimmerRecord& swimmer, con
   means[ResultQuantity::velocity] = means[ResultQuantity::speed_along_axis];
   for (Results& cycle : cycles) cycle[ResultQuantity::velocity] = cycle[ResultQuantity::speed_along_axis];
   add_standard_errors(cycles, means);
-  add_diffusion(*run.thermal, type, run.scene ? &*run.scene : nullptr, means);
+  add_diffusion(run.thermal->diffusion, type, run.scene ? &*run.scene : nullptr, means);
   return means;
 }
 

@@ -100,7 +100,7 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
                         .peak_memory_bytes = peak_memory_bytes(parts.communicator),
                         .communication = std::nullopt};
   parts.model.describe(record);
-  if (record.thermal) parts.recorder.add_diffusion(*record.thermal);
+  if (record.thermal) record.thermal->diffusion = parts.recorder.diffusion();
   add_errors(record, parts.plan, late);
   if (!document.study.is_null()) record.study = document.study;
   record.provenance = document.provenance;

@@ -264,19 +264,8 @@ void Recorder::extend_paths(const std::vector<SwimmerMotion>& swimmers) {
   for (std::size_t s = 0; s < swimmers.size(); ++s) {
     std::vector<Vec3> positions;
     for (const BeadMotion& bead : swimmers[s]) positions.push_back(bead.position * plan_.units.length);
-    paths_[s].places.emplace_back(columns_of_beads(positions).rowwise().mean());
-    paths_[s].axes.push_back(axis_of(logs_[s].type, positions, logs_[s].initial_orientation));
+    paths_[s].append(logs_[s].type, positions, logs_[s].initial_orientation);
   }
-}
-
-void Recorder::add_diffusion(ThermalRecord& thermal) const {
-  const auto found = diffusion_statistics(paths_, plan_.base_period);
-  if (!found) return;
-  thermal.lag = found->lag;
-  thermal.mean_velocity = found->mean_velocity;
-  thermal.effective_diffusion = found->effective_diffusion;
-  thermal.rotational_diffusion = found->rotational_diffusion;
-  thermal.persistence_time = found->persistence_time;
 }
 
 std::vector<RunWarning> Recorder::warnings() const {

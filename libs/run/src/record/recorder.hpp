@@ -85,8 +85,8 @@ class Recorder {
   // contains only the last cycle of each swimmer.
   std::vector<SwimmerRecord> swimmers() const;
   const std::vector<SwarmCycle>& swarm() const { return swarm_; }
-  /// Adds the diffusion of the swimmers in a run with thermal noise, if it is long enough. On rank 0 only.
-  void add_diffusion(ThermalRecord& thermal) const;
+  /// Returns the diffusion of the swimmers in a run with thermal noise. On rank 0 only.
+  DiffusionStatistics diffusion() const { return diffusion_statistics(paths_, plan_.base_period); }
   /// Returns a warning if samples are too far apart for the rotation of a swimmer.
   std::vector<RunWarning> warnings() const;
 

@@ -6,6 +6,7 @@
 
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
 
 // Diffusion of swimmers in a run with thermal noise, by the displacements and rotations in windows of time
 // that do not overlap, of all swimmers:
@@ -25,6 +26,10 @@ namespace beadswim {
 struct SwimmerPath {
   std::vector<Vec3> places, axes;
 
+  /// Appends the mean place of the beads, and the axis that the swimmer has there.
+  void append(const SwimmerType& type, std::span<const Vec3> beads,
+              const Eigen::Matrix3d& initial_orientation);
+
   BEADSWIM_FIELDS(places, axes)
 };
 
@@ -40,16 +45,18 @@ struct MeanAndError {
 /// Returns the mean of independent numbers; its error is NaN for fewer than two.
 MeanAndError<double> mean_with_error(std::span<const double> numbers);
 
+/// Without values for paths of fewer than two intervals.
 struct DiffusionStatistics {
-  double lag = 0;  ///< tau [time]
-  MeanAndError<Vec3> mean_velocity{.mean = Vec3::Zero(), .standard_error = Vec3::Zero()};  ///< [length/time]
+  std::optional<double> lag{};                        ///< tau [time]
+  std::optional<MeanAndError<Vec3>> mean_velocity{};  ///< [length/time]
   /// D [length^2/time]; nullopt: fewer than 10 windows
   std::optional<MeanAndError<double>> effective_diffusion{};
-  std::optional<MeanAndError<double>> rotational_diffusion;  ///< D_r [1/time]; nullopt: axes turn too fast
-  std::optional<MeanAndError<double>> persistence_time;      ///< [time]
+  std::optional<MeanAndError<double>> rotational_diffusion{};  ///< D_r [1/time]; nullopt: axes turn too fast
+  std::optional<MeanAndError<double>> persistence_time{};      ///< [time]
 
-  BEADSWIM_FIELDS(lag, mean_velocity, (effective_diffusion, omitted_if_none),
-                  (rotational_diffusion, omitted_if_none), (persistence_time, omitted_if_none))
+  BEADSWIM_FIELDS((lag, omitted_if_none), (mean_velocity, omitted_if_none),
+                  (effective_diffusion, omitted_if_none), (rotational_diffusion, omitted_if_none),
+                  (persistence_time, omitted_if_none))
 };
 
 /// Means over windows of `intervals` intervals that do not overlap, of all paths.
@@ -61,8 +68,7 @@ struct DisplacementStatistics {
 /// Returns the means of paths that are longer than `intervals`.
 DisplacementStatistics displacement_statistics(std::span<const SwimmerPath> paths, std::size_t intervals);
 
-/// Returns the statistics of paths of equal length, of two intervals or more; nullopt of shorter ones.
-/// `interval`: between times of the paths [time].
-std::optional<DiffusionStatistics> diffusion_statistics(std::span<const SwimmerPath> paths, double interval);
+/// Returns the statistics of paths of equal length. `interval`: between times of the paths [time].
+DiffusionStatistics diffusion_statistics(std::span<const SwimmerPath> paths, double interval);
 
 }  // namespace beadswim

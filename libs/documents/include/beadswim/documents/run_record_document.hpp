@@ -157,14 +157,15 @@ struct ThermalRecord {
   std::int64_t seed = 0;       ///< of the random numbers
   double noise_tolerance = 0;  ///< accepted relative error of the noise in a step
   double noise_error = 0;      ///< largest relative error of the noise in any step
-  // DiffusionStatistics of the ends of base cycles; nullopt in short runs
-  std::optional<double> lag{};
-  std::optional<MeanAndError<Vec3>> mean_velocity{};
-  std::optional<MeanAndError<double>> effective_diffusion{}, rotational_diffusion{}, persistence_time{};
+  DiffusionStatistics diffusion{};  ///< of the ends of base cycles
 
-  BEADSWIM_FIELDS(thermal_energy, seed, noise_tolerance, noise_error, (lag, omitted_if_none),
-                  (mean_velocity, omitted_if_none), (effective_diffusion, omitted_if_none),
-                  (rotational_diffusion, omitted_if_none), (persistence_time, omitted_if_none))
+  static void visit_fields(auto&& visit, auto& record) {
+    visit("thermal_energy", record.thermal_energy);
+    visit("seed", record.seed);
+    visit("noise_tolerance", record.noise_tolerance);
+    visit("noise_error", record.noise_error);
+    beadswim::visit_fields(visit, record.diffusion);
+  }
 };
 
 /// Communication of a rank per lattice step. Each number is the maximum over all ranks.
