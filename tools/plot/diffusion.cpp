@@ -27,9 +27,7 @@ std::vector<SwimmerPath> paths_of(const TrajectoryFile& file) {
   const std::vector<std::size_t> first = file.reader.header().first_beads();
   std::vector<SwimmerPath> paths(file.in_layout.size());
   for (std::size_t n = 0; n < file.reader.frames(); ++n) {
-    const double cycles = file.reader.times()[n] / file.period();
-    constexpr double roundoff = 1e-6;
-    if (std::abs(cycles - std::round(cycles)) > roundoff) continue;
+    if (!whole_cycles(file.reader.times()[n], file.period())) continue;
     const TrajectoryFrame frame = file.reader.frame(n);
     for (std::size_t s = 0; s < paths.size(); ++s) {
       const SwimmerType& type = file.type(s);

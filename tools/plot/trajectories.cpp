@@ -82,8 +82,7 @@ std::vector<Series> curves_of(const TrajectoryFile& file, bool several_files, co
   for (std::size_t n = 0; n < file.reader.frames(); ++n) {
     const TrajectoryFrame frame = file.reader.frame(n);
     const double cycles = frame.time / file.period();
-    constexpr double roundoff = 1e-6;
-    if (flags.against_angle && std::abs(cycles - std::round(cycles)) > roundoff) continue;
+    if (flags.against_angle && !whole_cycles(frame.time, file.period())) continue;
     for (std::size_t c = 0; c < curves.size(); ++c) {
       curves[c].x.push_back(flags.against_angle ? angle_of(file, swimmers[c], frame, flags.axis) : cycles);
       curves[c].y.push_back(frame.positions[beads[c]][flags.axis]);

@@ -10,15 +10,6 @@
 namespace beadswim {
 namespace {
 
-/// Returns the number of cycles, if the time is the end of a cycle within roundoff.
-std::optional<int> whole_cycles(double time, double period) {
-  constexpr double roundoff = 1e-6;
-  const double cycles = time / period;
-  return std::abs(cycles - std::round(cycles)) <= roundoff
-             ? std::optional(static_cast<int>(std::lround(cycles)))
-             : std::nullopt;
-}
-
 /// Returns the index of the last frame at the end of this cycle, or of any cycle.
 std::size_t frame_after_cycle(const TrajectoryFile& file, std::optional<int> cycle, const std::string& flag) {
   const std::vector<double> times = file.reader.times();

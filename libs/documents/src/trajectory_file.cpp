@@ -94,6 +94,14 @@ const SwimmerType& TrajectoryFile::type(std::size_t swimmer) const {
   return layout.types.at(layout.swimmers[in_layout[swimmer]].type);
 }
 
+std::optional<int> whole_cycles(double time, double period) {
+  constexpr double roundoff = 1e-6;
+  const double cycles = time / period;
+  return std::abs(cycles - std::round(cycles)) <= roundoff
+             ? std::optional(static_cast<int>(std::lround(cycles)))
+             : std::nullopt;
+}
+
 bool is_trajectory(const std::string& path) {
   if (path.ends_with(".h5md") || path.ends_with(".h5md.part")) return true;
   std::error_code ignored;

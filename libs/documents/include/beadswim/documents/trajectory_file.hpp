@@ -22,6 +22,9 @@ struct TrajectoryFile {
   const SwimmerType& type(std::size_t swimmer) const;
 };
 
+/// Returns the number of cycles, if the time is the end of a cycle within roundoff.
+std::optional<int> whole_cycles(double time, double period);
+
 /// Returns true if the file name has the ending of a trajectory, or if the file is in HDF5 format.
 bool is_trajectory(const std::string& path);
 
