@@ -78,7 +78,7 @@ std::vector<Reference> references_for(int id, const SourceDocument& file, const 
                           .method = prediction.method,
                           .usable = prediction.usable,
                           .results = results_of(prediction, scene, document.swimmer),
-                          .numerical_error = number_setting(prediction, "numerical_error").value_or(0),
+                          .numerical_error = find_setting<double>(prediction, "numerical_error").value_or(0),
                           .axis = predicted_axis(prediction, scene, document.swimmer)});
   }
   return references;

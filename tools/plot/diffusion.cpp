@@ -77,7 +77,7 @@ double add_points(const TrajectoryFile& file, std::vector<Panel>& panels) {
 /// Adds the lines of a prediction.
 void add_lines(const PlottedPrediction& plotted, double longest, std::vector<Panel>& panels) {
   const auto& thermal = plotted.prediction().thermal;
-  const auto period = number_setting(plotted.prediction(), "period");
+  const auto period = find_setting<double>(plotted.prediction(), "period");
   if (!thermal || !period)
     throw InputError(plotted.source,
                      "the prediction has no thermal noise; predict a layout with --thermal-energy");

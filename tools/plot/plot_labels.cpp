@@ -26,19 +26,11 @@ constexpr std::array parameters{Parameter{"period", "T"}, Parameter{"separation_
 std::string parameter_text(const std::vector<PlottedPrediction>& predictions, const Parameter& parameter) {
   std::vector<double> values;
   for (const PlottedPrediction& plotted : predictions) {
-    const auto value = number_setting(plotted.prediction(), parameter.key);
+    const auto value = find_setting<double>(plotted.prediction(), parameter.key);
     if (!value) return {};
     values.push_back(*value);
   }
   return fmt::format("{} = {}{}", parameter.symbol, range_text(values, 4), parameter.unit);
-}
-
-/// Returns the text with this key in the settings of a prediction; nullopt if there is none.
-std::optional<std::string> text_setting(const Prediction& prediction, const std::string& key) {
-  for (const auto& [name, value] : prediction.settings) {
-    if (name == key && std::holds_alternative<std::string>(value)) return std::get<std::string>(value);
-  }
-  return std::nullopt;
 }
 
 /// Returns the fluid of predictions as text. `fluid`: their setting "fluid".
@@ -56,7 +48,7 @@ std::string fluid_text(const std::vector<PlottedPrediction>& predictions) {
   std::set<std::string> names;
   std::size_t pairs = 0;
   for (const PlottedPrediction& plotted : predictions) {
-    const auto fluid = text_setting(plotted.prediction(), "fluid");
+    const auto fluid = find_setting<std::string>(plotted.prediction(), "fluid");
     if (!fluid) return {};
     pairs += methods[name_of_fluid(*fluid)].insert(plotted.prediction().method).second ? 1 : 0;
     names.insert(plotted.prediction().method);

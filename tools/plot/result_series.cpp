@@ -182,7 +182,7 @@ double abscissa_of(const PlottedPrediction& plotted, const Abscissa& abscissa) {
   if (abscissa.kind == AbscissaKind::study)
     return number_in_study(plotted.document.study, abscissa.study, plotted.source, "--x");
   const std::string key = to_text(abscissa.kind);
-  if (const auto value = number_setting(plotted.prediction(), key)) return *value;
+  if (const auto value = find_setting<double>(plotted.prediction(), key)) return *value;
   const std::string hint =
       abscissa.kind == AbscissaKind::amplitude_ratio ? " (it is left out where B = 0)" : "";
   throw InputError(plotted.source,

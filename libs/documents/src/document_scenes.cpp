@@ -52,10 +52,10 @@ SceneProperties stated_properties(const PredictionDocument& document, int /*id*/
     properties = std::move(stated);
   };
   for (const Prediction& prediction : document.predictions) {
-    state("period", {number_setting(prediction, "period")});
-    state("phase", {number_setting(prediction, "phase")});
-    const auto amplitude = number_setting(prediction, "amplitude"),
-               ratio = number_setting(prediction, "amplitude_ratio");
+    state("period", {find_setting<double>(prediction, "period")});
+    state("phase", {find_setting<double>(prediction, "phase")});
+    const auto amplitude = find_setting<double>(prediction, "amplitude"),
+               ratio = find_setting<double>(prediction, "amplitude_ratio");
     if (ratio != 0)  // a ratio of 0 does not state B
       state("amplitude", {amplitude, amplitude && ratio ? *amplitude / *ratio : std::optional<double>()});
   }

@@ -43,13 +43,6 @@ void require_equal_arms(const Prediction& prediction, const std::string& place) 
 
 }  // namespace
 
-std::optional<double> number_setting(const Prediction& prediction, const std::string& key) {
-  for (const auto& [name, value] : prediction.settings) {
-    if (name == key && std::holds_alternative<double>(value)) return std::get<double>(value);
-  }
-  return std::nullopt;
-}
-
 Json predictions_to_json(const PredictionDocument& document) {
   Json json{{"schema", "beadswim/prediction/1"}};
   add_fields(json, document);

@@ -282,7 +282,7 @@ Results results_of(const RunRecord& run, const SwimmerRecord& swimmer, const Cyc
 
 std::optional<Vec3> predicted_axis(const Prediction& prediction, const Layout* scene, int id) {
   const Swimmer* swimmer = swimmer_in(scene, id);
-  if (swimmer == nullptr || number_setting(prediction, "turn")) return std::nullopt;
+  if (swimmer == nullptr || find_setting<double>(prediction, "turn")) return std::nullopt;
   return swimmer->orientation().col(0);
 }
 

@@ -8,8 +8,13 @@
 
 namespace beadswim {
 
-/// Returns the number with this key in the settings of a prediction; nullopt if there is none.
-std::optional<double> number_setting(const Prediction& prediction, const std::string& key);
+/// Returns the value of this type with this key in the settings of a prediction; nullopt if there is none.
+template <class Value>
+std::optional<Value> find_setting(const Prediction& prediction, const std::string& key) {
+  for (const auto& [name, value] : prediction.settings)
+    if (name == key && std::holds_alternative<Value>(value)) return std::get<Value>(value);
+  return std::nullopt;
+}
 
 /// Predictions for one swimmer of a layout (schemas/prediction.schema.json).
 struct PredictionDocument : LayoutPredictions {
