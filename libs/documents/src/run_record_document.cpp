@@ -26,8 +26,7 @@ void require_equal_arms(const SwimmerRecord& swimmer, std::size_t index, const s
   }
 }
 
-}  // namespace
-
+/// Returns the driving for the run record. Omits amplitudes and phase if they differ between swimmers.
 DrivingRecord driving_of(const Layout& layout, double base_period) {
   const auto driving = [&](const Swimmer& swimmer) {
     return three_bead_form(layout.resolved_type(swimmer).driving);
@@ -40,6 +39,16 @@ DrivingRecord driving_of(const Layout& layout, double base_period) {
       });
   if (!is_common) return {.period = base_period, .amplitude = std::nullopt, .phase = std::nullopt};
   return {.period = base_period, .amplitude = first->amplitude, .phase = first->phase};
+}
+
+}  // namespace
+
+void set_surroundings(const Layout& layout, double base_period, RunRecord& record) {
+  record.units = layout.units;
+  record.domain = layout.domain;
+  if (!layout.flow.is_zero()) record.flow = layout.flow;
+  if (!layout.body_force.isZero(0)) record.body_force = layout.body_force;
+  record.driving = driving_of(layout, base_period);
 }
 
 RunRecord run_record_from_json(const Json& document, const std::string& source) {

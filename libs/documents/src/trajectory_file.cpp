@@ -133,11 +133,7 @@ RunRecord run_of_trajectory(const std::string& path) {
   const std::vector<TrajectoryCycle> cycles = file.reader.cycles(columns_of<CycleStatistics>({}));
   RunRecord record;
   record.model = "trajectory";
-  record.units = file.layout.units;
-  record.domain = file.layout.domain;
-  if (!file.layout.flow.is_zero()) record.flow = file.layout.flow;
-  if (!file.layout.body_force.isZero(0)) record.body_force = file.layout.body_force;
-  record.driving = driving_of(file.layout, base_period(file.layout));
+  set_surroundings(file.layout, base_period(file.layout), record);
   record.scene = file.layout;
   for (const std::size_t s : file.in_layout) {
     const Swimmer& swimmer = file.layout.swimmers[s];

@@ -79,11 +79,7 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
   RunRecord record;
   record.status = outcome.status;
   record.reason = outcome.reason;
-  record.units = document.layout.units;
-  record.domain = document.layout.domain;
-  if (!document.layout.flow.is_zero()) record.flow = document.layout.flow;
-  if (!document.layout.body_force.isZero(0)) record.body_force = document.layout.body_force;
-  record.driving = driving_of(document.layout, parts.plan.base_period);
+  set_surroundings(document.layout, parts.plan.base_period, record);
   if (parts.plan.swimmers.size() <= max_swimmers_listed) {
     record.swimmers = parts.recorder.swimmers();
     record.scene = document.layout;

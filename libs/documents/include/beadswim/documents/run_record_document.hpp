@@ -66,9 +66,6 @@ struct DrivingRecord {
   bool operator==(const DrivingRecord&) const = default;
 };
 
-/// Returns the driving for the run record. Omits amplitudes and phase if they differ between swimmers.
-DrivingRecord driving_of(const Layout& layout, double base_period);
-
 /// Momentum of fluid and beads at the end and at the start of the run [mass length/time].
 struct MomentumRecord {
   Vec3 total = Vec3::Zero();
@@ -236,6 +233,9 @@ struct RunRecord {
                   (expected_error, omitted_if_none), warnings, (cost, omitted_if_none), state_sha256,
                   (study, omitted_if_none), (request_sha256, omitted_if_none), (provenance, omitted_if_none))
 };
+
+/// Sets what the record states of the scene of a run: units, domain, flow, body force and driving.
+void set_surroundings(const Layout& layout, double base_period, RunRecord& record);
 
 /// Selects whether cost and provenance are written. They differ between runs with identical results.
 enum class RecordProvenance { written, left_out };
