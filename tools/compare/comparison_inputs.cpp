@@ -192,7 +192,7 @@ VerdictDocument compare(const ComparisonInputs& inputs, const ComparisonRequest&
     costs.push_back(run.record.cost);
   }
   result.cost = total_cost(costs);
-  result.study = inputs.runs.front().record.study.value_or(Json());
+  result.study = inputs.runs.front().study();
   const std::vector<int> ids =
       request.swimmer ? std::vector{*request.swimmer} : swimmers_of(inputs.references.front().document);
   for (const int id : ids) compare_swimmer_in_all_runs(id, request, inputs, result);

@@ -27,11 +27,6 @@ struct ComparisonRequest {
   bool shows_all = false;                          ///< the table on standard error has all rows
 };
 
-struct RunFile {
-  std::string source;
-  RunRecord record;
-};
-
 struct ComparisonInputs {
   std::vector<RunFile> runs;
   std::vector<SourceDocument> references;  ///< the file REFERENCE, then the files of --reference

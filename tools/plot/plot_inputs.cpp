@@ -119,7 +119,7 @@ std::string only_file(const std::vector<std::string>& files, const std::string& 
 
 std::vector<Json> PlotInputs::studies() const {
   std::vector<Json> studies;
-  for (const PlottedRun& run : runs) studies.push_back(run.study());
+  for (const RunFile& run : runs) studies.push_back(run.study());
   for (const PlottedPrediction& plotted : predictions) studies.push_back(plotted.document.study);
   std::erase_if(studies, [](const Json& study) { return !study.is_object(); });
   return studies;

@@ -11,14 +11,6 @@
 
 namespace beadswim {
 
-struct PlottedRun {
-  std::string source;
-  RunRecord record;
-
-  /// Returns the study of the layout; null if the run belongs to none.
-  Json study() const { return record.study.value_or(Json()); }
-};
-
 /// Prediction by one method.
 struct PlottedPrediction {
   std::string source;
@@ -32,7 +24,7 @@ struct PlottedPrediction {
 /// command line.
 struct PlotInputs {
   Units units;
-  std::vector<PlottedRun> runs{};
+  std::vector<RunFile> runs{};
   std::vector<PlottedPrediction> predictions{};
   std::vector<std::string> methods{};           ///< methods of the predictions, in the order of drawing
   std::vector<PlottedPrediction> references{};  ///< predictions by the method InputChoice::relative_to

@@ -83,10 +83,10 @@ SettingTexts setting_of(const RunRecord& record) {
 }
 
 /// Returns the settings that all runs have; the texts of others are empty.
-SettingTexts shared_settings(const std::vector<PlottedRun>& runs) {
+SettingTexts shared_settings(const std::vector<RunFile>& runs) {
   SettingTexts shared;
   if (!runs.empty()) shared = setting_of(runs.front().record);
-  for (const PlottedRun& run : runs) {
+  for (const RunFile& run : runs) {
     const SettingTexts own = setting_of(run.record);
     for (std::size_t p = 0; p < shared.size(); ++p)
       if (own[p] != shared[p]) shared[p].clear();
@@ -125,9 +125,9 @@ std::string summarise_names(const std::set<std::string>& names, const std::strin
   return joined(names, ", ");
 }
 
-std::vector<std::string> setting_labels(const std::vector<PlottedRun>& runs) {
+std::vector<std::string> setting_labels(const std::vector<RunFile>& runs) {
   std::vector<std::string> labels;
-  for (const SettingTexts shared = shared_settings(runs); const PlottedRun& run : runs) {
+  for (const SettingTexts shared = shared_settings(runs); const RunFile& run : runs) {
     SettingTexts differing = setting_of(run.record);
     for (std::size_t p = 0; p < shared.size(); ++p)
       if (differing[p] == shared[p]) differing[p].clear();

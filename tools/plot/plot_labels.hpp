@@ -13,7 +13,7 @@ namespace beadswim {
 
 /// Returns a label for each run: model, and all settings (bead boundary, resolution, relaxation time,
 /// precision and box) that differ between runs: "lbm mr, 4 cells per radius".
-std::vector<std::string> setting_labels(const std::vector<PlottedRun>& runs);
+std::vector<std::string> setting_labels(const std::vector<RunFile>& runs);
 
 /// Returns a note that states the parameters of all runs, with ranges where they differ: "Runs: T = 1000 to
 /// 10000, ...". Omits the parameter on the horizontal axis, and settings that differ between runs, because

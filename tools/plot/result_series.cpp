@@ -34,7 +34,7 @@ Json study_value(const Json& study, const std::string& name, const std::string& 
 
 /// Returns the smaller mean arm length in the chosen cycles, divided by the smallest bead radius of the scene
 /// or, in an older record without it, of a lattice run.
-double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const CycleChoice& choice) {
+double separation_of(const RunFile& run, const SwimmerRecord& swimmer, const CycleChoice& choice) {
   const auto cycles = select_cycles(swimmer.cycles, choice, run.source);
   std::array<double, 2> arms{};
   for (const CycleStatistics& cycle : cycles) {
@@ -54,7 +54,7 @@ double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const 
 
 /// Returns the value on the horizontal axis for a swimmer in a run. Throws InputError if the run record does
 /// not contain the quantity. For B = 0, A/B is infinite and is not drawn.
-double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, const Abscissa& abscissa,
+double abscissa_of(const RunFile& run, const SwimmerRecord& swimmer, const Abscissa& abscissa,
                    const CycleChoice& cycle) {
   const auto& driving = run.record.driving;
   if (abscissa.kind == AbscissaKind::study)
@@ -98,7 +98,7 @@ std::string varied_text(const PlotInputs& inputs, const Json& study) {
 }
 
 /// Returns the label of a run: "lbm"; for several runs with what varies in their studies, or "lbm FILE".
-std::string run_label(const PlotInputs& inputs, const PlottedRun& run) {
+std::string run_label(const PlotInputs& inputs, const RunFile& run) {
   if (inputs.runs.size() == 1) return run.record.model;
   const std::string varied = varied_text(inputs, run.study());
   if (!varied.empty()) return run.record.model + varied;
@@ -115,7 +115,7 @@ std::string type_of(const std::optional<Layout>& scene, int id, const std::strin
 }
 
 /// Returns a point for each swimmer of a run in each cycle. Uncertainties belong to the last one.
-ResultSeries series_by_cycle(const PlotInputs& inputs, const PlottedRun& run) {
+ResultSeries series_by_cycle(const PlotInputs& inputs, const RunFile& run) {
   ResultSeries series{run_label(inputs, run)};
   for (const SwimmerRecord& swimmer : run.record.swimmers) {
     for (const CycleStatistics& cycle : swimmer.cycles) {
@@ -210,30 +210,25 @@ DrawnResults results_against(const PlotInputs& inputs, const Abscissa& abscissa,
   };
   DrawnResults drawn;
   const std::vector<std::string> settings = setting_labels(inputs.runs);
-  for (auto setting = settings.begin(); setting != settings.end(); ++setting) {
-    if (std::find(settings.begin(), setting, *setting) != setting) continue;  // its series are complete
-    std::vector<ResultSeries> of_setting;
-    for (std::size_t r = 0; r < settings.size(); ++r) {
-      const PlottedRun& run = inputs.runs[r];
-      if (settings[r] != *setting) continue;
-      std::map<std::string, std::vector<Results>> of_types;
-      for (const SwimmerRecord& swimmer : run.record.swimmers) {
-        const Results results = results_of(run.record, swimmer, cycle, run.source);
-        const std::string group =
-            group_by.empty() ? "" : group_of(run.study(), run.record.scene, swimmer.id, run.source);
-        if (group_by == by_type) {
-          of_types[group].push_back(results);
-        } else {
-          add(*setting, group,
-              {abscissa_of(run, swimmer, abscissa, cycle), results, true, run.source, run.study()},
-              of_setting);
-        }
-      }
-      for (const auto& [type, results] : of_types)
-        add(*setting, type,
-            {abscissa_of(run, run.record.swimmers.front(), abscissa, cycle), mean_of(results), true,
-             run.source, run.study()},
-            of_setting);
+  std::vector<std::size_t> order(settings.size());  // of runs; those of one setting follow one another
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(
+      order, {}, [&](std::size_t r) { return std::ranges::find(settings, settings[r]) - settings.begin(); });
+  for (const std::size_t r : order) {
+    const RunFile& run = inputs.runs[r];
+    const auto add_point = [&](const std::string& group, const SwimmerRecord& swimmer,
+                               const Results& results) {
+      add(settings[r], group,
+          {abscissa_of(run, swimmer, abscissa, cycle), results, true, run.source, run.study()}, drawn.runs);
+    };
+    std::map<std::string, std::vector<Results>> of_types;
+    for (const SwimmerRecord& swimmer : run.record.swimmers) {
+      const Results results = results_of(run.record, swimmer, cycle, run.source);
+      const std::string group = group_of(run.study(), run.record.scene, swimmer.id, run.source);
+      if (group_by == by_type)
+        of_types[group].push_back(results);
+      else
+        add_point(group, swimmer, results);
     }
     std::ranges::move(of_setting, std::back_inserter(drawn.runs));
   }
@@ -288,7 +283,7 @@ DrawnResults results_by_cycle(const PlotInputs& inputs) {
   constexpr double overhang = 0.4;  // [cycles]
   DrawnResults drawn;
   std::vector<double> cycles;
-  for (const PlottedRun& run : inputs.runs) {
+  for (const RunFile& run : inputs.runs) {
     drawn.runs.push_back(series_by_cycle(inputs, run));
     for (const ResultPoint& point : drawn.runs.back().points) cycles.push_back(point.x);
   }

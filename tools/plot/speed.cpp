@@ -32,7 +32,7 @@ struct SpeedFlags {
 /// swimmers of a run.
 struct ComparedScene {
   std::string title{};  ///< empty if the figure has one scene
-  std::vector<const PlottedRun*> runs{};
+  std::vector<const RunFile*> runs{};
   std::string reference{};         ///< name of the reference
   std::optional<int> swimmer{};    ///< id of the only swimmer of a prediction; nullopt: all swimmers
   std::vector<Results> correct{};  ///< of the only swimmer, or of all swimmers
@@ -47,7 +47,7 @@ std::vector<SceneDifference> find_differences(const RunRecord& run, const Swimmi
   return differences;
 }
 
-void require_one_scene(const PlottedRun& run, const SourceDocument& other) {
+void require_one_scene(const RunFile& run, const SourceDocument& other) {
   std::vector<std::string> words;
   for (const SceneDifference& difference : find_differences(run.record, other.document))
     words.push_back(in_words(difference));
@@ -97,7 +97,7 @@ SourceDocument take_reference(const PlottedPrediction& plotted, ComparedScene& s
   scene.correct = {plotted.results()};
   return {plotted.source, plotted.document};
 }
-SourceDocument take_reference(const PlottedRun& run, const CycleChoice& cycle, ComparedScene& scene) {
+SourceDocument take_reference(const RunFile& run, const CycleChoice& cycle, ComparedScene& scene) {
   scene.reference = run.record.model;
   if (const auto& resolution = run.record.resolution)
     scene.reference +=
@@ -127,7 +127,7 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
   const SourceDocument reference = read.runs.empty()
                                        ? take_reference(read.predictions[0], scene)
                                        : take_reference(read.runs[0], flags.choice.cycle, scene);
-  for (const PlottedRun& run : inputs.runs)
+  for (const RunFile& run : inputs.runs)
     if (!has_several_scenes || find_differences(run.record, reference.document).empty())
       scene.runs.push_back(&run);
   if (scene.runs.empty())
@@ -142,7 +142,7 @@ ComparedScene read_scene(const PlotInputs& inputs, const std::string& file, cons
 std::vector<ComparedScene> read_scenes(const PlotInputs& inputs, const SpeedFlags& flags) {
   std::vector<ComparedScene> scenes;
   for (const std::string& file : flags.references) scenes.push_back(read_scene(inputs, file, flags));
-  for (const PlottedRun& run : inputs.runs) {
+  for (const RunFile& run : inputs.runs) {
     const auto matches = std::ranges::count_if(
         scenes, [&](const ComparedScene& scene) { return std::ranges::count(scene.runs, &run) > 0; });
     if (matches > 1)
@@ -157,7 +157,7 @@ std::vector<ComparedScene> read_scenes(const PlotInputs& inputs, const SpeedFlag
 }
 
 /// Returns the cost of a run in core-seconds per driving period.
-double cost_of(const PlottedRun& run) {
+double cost_of(const RunFile& run) {
   if (!run.record.cost) {
     throw InputError(run.source,
                      "the run record does not contain the cost of the run, for example because the run had "
@@ -181,7 +181,7 @@ std::string setting_name(const RunRecord& record) {
 
 /// Throws InputError if two runs use different bead radii or densities on the lattice. The flags
 /// --radius-correction and --delay-correction change these values.
-void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
+void require_same_corrections(const RunFile& run, const RunFile& other) {
   const auto &a = run.record.resolution, &b = other.record.resolution;
   if (!a || (a->radius_on_lattice == b->radius_on_lattice && a->density_on_lattice == b->density_on_lattice))
     return;
@@ -193,7 +193,7 @@ void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
 
 /// Returns the results of the swimmers of which the reference contains values. Throws InputError if one has
 /// another number of arms than in the reference.
-std::vector<Results> results_of(const PlottedRun& run, const ComparedScene& scene, const CycleChoice& cycle) {
+std::vector<Results> results_of(const RunFile& run, const ComparedScene& scene, const CycleChoice& cycle) {
   const auto arms = [](const Results& results) {
     const auto found = results.find(ResultQuantity::arm_amplitudes);
     return found == results.end() ? 0 : found->second.numbers.size();
@@ -215,7 +215,7 @@ std::vector<Results> results_of(const PlottedRun& run, const ComparedScene& scen
 std::vector<CostedRun> costed_runs(const ComparedScene& scene, const CycleChoice& cycle) {
   std::vector<CostedRun> runs;
   const SourceDocument first{scene.runs.front()->source, scene.runs.front()->record};
-  for (const PlottedRun* run : scene.runs) {
+  for (const RunFile* run : scene.runs) {
     CostedRun costed{.source = run->source, .setting = setting_name(run->record), .swimmers = {}};
     if (run->record.resolution) costed.resolution = run->record.resolution->cells_per_radius;
     require_one_scene(*run, first);
@@ -231,7 +231,7 @@ std::vector<CostedRun> costed_runs(const ComparedScene& scene, const CycleChoice
 
 std::string resolutions_note(const PlotInputs& inputs) {
   std::set<double> known;
-  for (const PlottedRun& run : inputs.runs)
+  for (const RunFile& run : inputs.runs)
     if (run.record.resolution) known.insert(run.record.resolution->cells_per_radius);
   return known.empty() ? ""
                        : fmt::format("Lines join runs with {:g} to {:g} cells per radius.", *known.begin(),

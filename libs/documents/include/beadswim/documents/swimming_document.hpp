@@ -25,6 +25,15 @@ struct SourceDocument {
   SwimmingDocument document;
 };
 
+/// A run record, and the name of its file in messages.
+struct RunFile {
+  std::string source;
+  RunRecord record;
+
+  /// Returns the study of the layout; null if the run belongs to none.
+  Json study() const { return record.study.value_or(Json()); }
+};
+
 /// Returns the name of a file for messages: `path`, or "standard input" if `path` is "-".
 std::string source_name(const std::string& path);
 
