@@ -85,9 +85,8 @@ std::vector<TableColumn> columns_of(const std::vector<RunFile>& runs) {
 }
 
 std::string field_of(const Results& results, const TableColumn& column) {
-  const auto found = results.find(column.quantity);
-  if (found == results.end() || column.number >= found->second.numbers.size()) return "";
-  return fmt::format("{}", found->second.numbers[column.number]);
+  const auto number = number_of(results, column.quantity, column.number);
+  return number ? fmt::format("{}", *number) : "";
 }
 
 /// Returns the lines of a run. `first_fields`: of each line.

@@ -89,11 +89,10 @@ void add_to_map(const Results& results, const Json& study, const AgainstFlags& f
                 const std::string& source, MapValues& map) {
   const Point point{number_in_study(study, flags.x, source, "--x"),
                     number_in_study(study, flags.y, source, "--y")};
-  const auto found = results.find(*flags.colour);
-  const std::size_t count = found == results.end() ? 0 : found->second.numbers.size();
+  const std::size_t count = count_numbers(results, *flags.colour);
   map.resize(std::max(map.size(), count));
   for (std::size_t i = 0; i < count; ++i) {
-    if (map[i].emplace(point, found->second.numbers[i]).second) continue;
+    if (map[i].emplace(point, *number_of(results, *flags.colour, i)).second) continue;
     throw InputError(source,
                      "a second value for {} = {:g}, {} = {:g}; a map shows one value per point: name one "
                      "method with --method, or files of one study and one model",

@@ -300,8 +300,7 @@ std::size_t max_numbers(const DrawnResults& drawn, ResultQuantity quantity) {
   for (const auto* all : {&drawn.runs, &drawn.predictions})
     for (const ResultSeries& series : *all)
       for (const ResultPoint& point : series.points)
-        if (const auto found = point.results.find(quantity); found != point.results.end())
-          numbers = std::max(numbers, found->second.numbers.size());
+        numbers = std::max(numbers, count_numbers(point.results, quantity));
   return numbers;
 }
 

@@ -195,8 +195,7 @@ void require_same_corrections(const RunFile& run, const RunFile& other) {
 /// another number of arms than in the reference.
 std::vector<Results> results_of(const RunFile& run, const ComparedScene& scene, const CycleChoice& cycle) {
   const auto arms = [](const Results& results) {
-    const auto found = results.find(ResultQuantity::arm_amplitudes);
-    return found == results.end() ? 0 : found->second.numbers.size();
+    return count_numbers(results, ResultQuantity::arm_amplitudes);
   };
   std::vector<SwimmerRecord> wanted = run.record.swimmers;
   if (scene.swimmer) wanted = {find_swimmer(run.record, *scene.swimmer, run.source)};

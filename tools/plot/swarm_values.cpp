@@ -29,9 +29,7 @@ std::optional<double> last_value(const RunRecord& run, const SwimmerRecord& swim
   const auto after = std::ranges::partition_point(swimmer.cycles, has_ended);
   if (after == swimmer.cycles.begin()) return std::nullopt;
   const CycleChoice choice{CycleChoice::Kind::index, std::prev(after)->index};
-  const Results results = results_of(run, swimmer, choice, "");
-  const auto found = results.find(quantity);
-  return found == results.end() ? std::nullopt : std::optional(found->second.numbers.front());
+  return number_of(results_of(run, swimmer, choice, ""), quantity);
 }
 
 }  // namespace

@@ -20,12 +20,6 @@ std::ptrdiff_t preference(const Reference& reference) {
   return std::ranges::find(preferred_methods, reference.method) - preferred_methods.begin();
 }
 
-std::optional<double> number_of(const Results& results, ResultQuantity quantity, std::size_t i) {
-  const auto found = results.find(quantity);
-  if (found == results.end() || i >= found->second.numbers.size()) return std::nullopt;
-  return found->second.numbers[i];
-}
-
 bool is_angle(ResultQuantity quantity) {
   return row_of(quantity).dimension == Dimension::angle;
 }
@@ -161,11 +155,8 @@ std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<cons
       rows.back().decides = references[r].usable && r == criterion.deciding;
     }
   };
-  for (const ResultQuantity quantity : criterion.quantities) {
-    const auto value = run.results.find(quantity);
-    if (value == run.results.end()) continue;
-    for (std::size_t i = 0; i < value->second.numbers.size(); ++i) compare(quantity, i);
-  }
+  for (const ResultQuantity quantity : criterion.quantities)
+    for (std::size_t i = 0; i < count_numbers(run.results, quantity); ++i) compare(quantity, i);
   return rows;
 }
 

@@ -121,4 +121,16 @@ struct ResultValue {
 /// Results of one swimmer, of a run or of a prediction. A source may state only some of them.
 using Results = std::map<ResultQuantity, ResultValue>;
 
+/// Returns how many numbers of a quantity the results state.
+inline std::size_t count_numbers(const Results& results, ResultQuantity quantity) {
+  const auto found = results.find(quantity);
+  return found == results.end() ? 0 : found->second.numbers.size();
+}
+
+/// Returns number `i` of a quantity; nullopt if the results do not state it.
+inline std::optional<double> number_of(const Results& results, ResultQuantity quantity, std::size_t i = 0) {
+  if (i >= count_numbers(results, quantity)) return std::nullopt;
+  return results.at(quantity).numbers[i];
+}
+
 }  // namespace beadswim
