@@ -8,16 +8,11 @@
 #include <vector>
 
 #include "beadswim/core/joined.hpp"
+#include "beadswim/scene/units.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {
 namespace {
-
-/// Exponents of mass, length and time in a unit.
-struct UnitExponents {
-  int mass = 0, length = 0, time = 0;
-  bool is_angle = false;  ///< the unit is the radian
-};
 
 namespace exponents {
 constexpr UnitExponents none{}, angle{.is_angle = true}, length{.length = 1}, time{.time = 1},
@@ -68,23 +63,6 @@ constexpr auto known_variables = std::to_array<Variable>({
     {"cells_per_radius", exponents::none},
     {"relaxation_time", exponents::none},
 });
-
-std::string unit_text(const UnitExponents& unit, const Units& units) {
-  if (unit.is_angle) return "rad";
-  const bool has_unit = unit.mass != 0 || unit.length != 0 || unit.time != 0;
-  if (units.lattice) return has_unit ? "lattice units" : "";
-  std::string above, below;
-  const auto multiply = [&](const std::string& name, int exponent) {
-    constexpr std::array powers{"", "", "²", "³"};
-    std::string& side = exponent > 0 ? above : below;
-    if (exponent != 0) side += (side.empty() ? "" : " ") + name + powers[std::abs(exponent)];
-  };
-  multiply(units.mass.name, unit.mass);
-  multiply(units.length.name, unit.length);
-  multiply(units.time.name, unit.time);
-  if (below.find(' ') != std::string::npos) below = "(" + below + ")";
-  return below.empty() ? above : (above.empty() ? "1" : above) + "/" + below;
-}
 
 bool is_index(const std::string& key) {
   constexpr std::size_t max_digits = 9;  // of an int

@@ -220,28 +220,18 @@ Results means_with_noise(const RunRecord& run, const SwimmerRecord& swimmer, con
 }  // namespace
 
 std::string unit_of(ResultQuantity quantity, const Units& units) {
-  const std::string &mass = units.mass.name, &length = units.length.name, &time = units.time.name;
-  switch (row_of(quantity).dimension) {
-    case Dimension::number:
-      return "";
-    case Dimension::angle:
-      return "rad";
-    case Dimension::length:
-      return length_unit(units);
-    case Dimension::velocity:
-      return velocity_unit(units);
-    case Dimension::angular_velocity:
-      return units.lattice ? "" : "rad/" + time;
-    case Dimension::power:
-      return units.lattice ? "" : fmt::format("{} {}²/{}³", mass, length, time);
-    case Dimension::energy:
-      return units.lattice ? "" : fmt::format("{} {}²/{}²", mass, length, time);
-    case Dimension::diffusion:
-      return units.lattice ? "" : fmt::format("{}²/{}", length, time);
-    case Dimension::rate:
-      return units.lattice ? "" : "1/" + time;
-  }
-  return "";
+  constexpr std::array<UnitExponents, 9> of_dimensions{{{},
+                                                        {.is_angle = true},
+                                                        {.length = 1},
+                                                        {.length = 1, .time = -1},
+                                                        {.time = -1, .is_angle = true},
+                                                        {.mass = 1, .length = 2, .time = -3},
+                                                        {.mass = 1, .length = 2, .time = -2},
+                                                        {.length = 2, .time = -1},
+                                                        {.time = -1}}};
+  const Dimension dimension = row_of(quantity).dimension;
+  if (units.lattice && dimension > Dimension::velocity) return "";
+  return unit_text(of_dimensions[static_cast<std::size_t>(dimension)], units);
 }
 
 Results mean_of(const std::vector<Results>& all) {

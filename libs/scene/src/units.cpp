@@ -1,6 +1,8 @@
 #include "beadswim/scene/units.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <map>
 
 namespace beadswim {
@@ -20,16 +22,28 @@ const Units::Unit* find_known_unit(Quantity quantity, const std::string& name) {
   return unit == units.end() ? nullptr : &*unit;
 }
 
-std::string length_unit(const Units& units) {
-  return units.lattice ? "lattice units" : units.length.name;
+std::string unit_text(const UnitExponents& unit, const Units& units) {
+  const bool has_unit = unit.mass != 0 || unit.length != 0 || unit.time != 0;
+  if (units.lattice && has_unit) return "lattice units";
+  std::string above = unit.is_angle ? "rad" : "", below;
+  const auto multiply = [&](const std::string& name, int exponent) {
+    constexpr std::array powers{"", "", "²", "³"};
+    std::string& side = exponent > 0 ? above : below;
+    if (exponent != 0) side += (side.empty() ? "" : " ") + name + powers[std::abs(exponent)];
+  };
+  multiply(units.mass.name, unit.mass);
+  multiply(units.length.name, unit.length);
+  multiply(units.time.name, unit.time);
+  if (below.find(' ') != std::string::npos) below = "(" + below + ")";
+  return below.empty() ? above : (above.empty() ? "1" : above) + "/" + below;
 }
 
-std::string time_unit(const Units& units) {
-  return units.lattice ? "lattice units" : units.time.name;
+std::string length_unit(const Units& units) {
+  return unit_text({.length = 1}, units);
 }
 
 std::string velocity_unit(const Units& units) {
-  return units.lattice ? "lattice units" : units.length.name + "/" + units.time.name;
+  return unit_text({.length = 1, .time = -1}, units);
 }
 
 std::string unit_names(const Units& units) {
