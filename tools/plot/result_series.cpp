@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "beadswim/core/error.hpp"
@@ -196,7 +197,8 @@ DrawnResults results_against(const PlotInputs& inputs, const Abscissa& abscissa,
   const int digits = study_digits(inputs, group_by);
   const std::string group_name = variable_label(group_by, inputs.units).quantity;
   const auto group_of = [&](const Json& study, const std::optional<Layout>& scene, int swimmer,
-                            const std::string& source) {
+                            const std::string& source) -> std::string {
+    if (group_by.empty()) return {};
     if (group_by == by_swimmer) return fmt::format("{}", swimmer);
     if (group_by == by_type) return type_of(scene, swimmer, source);
     return study_value_text(study_value(study, group_by, source, "--group-by"), digits);
@@ -230,18 +232,16 @@ DrawnResults results_against(const PlotInputs& inputs, const Abscissa& abscissa,
       else
         add_point(group, swimmer, results);
     }
-    std::ranges::move(of_setting, std::back_inserter(drawn.runs));
+    for (const auto& [type, results] : of_types)
+      add_point(type, run.record.swimmers.front(), mean_of(results));
   }
   for (const std::string& method : inputs.methods) {
     std::vector<ResultSeries> of_method;
     for (const PlottedPrediction& plotted : inputs.predictions)
-      if (plotted.prediction().method == method)
-        add(method,
-            group_by.empty() ? ""
-                             : group_of(plotted.document.study, plotted.document.scene,
-                                        plotted.document.swimmer, plotted.source),
+      if (const PredictionDocument& document = plotted.document; plotted.prediction().method == method)
+        add(method, group_of(document.study, document.scene, document.swimmer, plotted.source),
             {abscissa_of(plotted, abscissa), plotted.results(), plotted.prediction().usable, plotted.source,
-             plotted.document.study},
+             document.study},
             of_method);
     for (ResultSeries& series : of_method) std::ranges::stable_sort(series.points, {}, &ResultPoint::x);
     std::ranges::move(of_method, std::back_inserter(drawn.predictions));
