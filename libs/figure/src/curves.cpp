@@ -97,14 +97,11 @@ void append_marks_and_curves(const std::vector<Curve>& marks, const std::vector<
 void append_levels(const std::vector<Curve>& levels, double from, double to, int colour, Panel& panel) {
   for (int l = 0; l < static_cast<int>(levels.size()); ++l) {
     const auto& [label, points] = levels[static_cast<std::size_t>(l)];
-    const auto [x, y, usable, error] = points.front();
-    panel.series.push_back({.label = label,
-                            .x = {from, to},
-                            .y = {y, y},
-                            .errors = error > 0 ? std::vector{error, error} : std::vector<double>{},
-                            .mark = Mark::line,
-                            .colour = colour,
-                            .dash = l});
+    const CurvePoint& level = points.front();
+    const std::vector<CurvePoint> ends{{.x = from, .y = level.y, .error = level.error},
+                                       {.x = to, .y = level.y, .error = level.error}};
+    panel.series.push_back(
+        part_of(ends, Part::usable, {.label = label, .mark = Mark::line, .colour = colour, .dash = l}));
   }
 }
 

@@ -22,8 +22,6 @@ constexpr double line_width = 1.8, faint_line_width = 1.1;
 constexpr double faint_opacity = 0.65;
 
 // Dimensions of the page [px].
-constexpr double first_plot_top = 52;
-constexpr double below_plot = 66;  // for tick labels and the x label
 constexpr double legend_left = plot_left + panel_width + legend_gap;
 constexpr double legend_key_width = 30;
 constexpr double line_pitch = 18;
@@ -224,8 +222,7 @@ std::string draw_panel(const Panel& panel, double top) {
     for (const Series& series : panel.series)
       if ((series.mark == Mark::points) == points) elements += draw_series(area, series);
   if (!panel.title.empty())
-    elements += svg::text({plot_left, top - 7}, panel.title,
-                          {.size = label_size, .anchor = svg::Anchor::start, .weight = "bold"});
+    elements += svg::text({plot_left, top - 7}, panel.title, {.size = label_size, .weight = "bold"});
   return elements;
 }
 
@@ -319,9 +316,8 @@ std::string figure_to_csv(const Figure& figure) {
 }  // namespace
 
 Drawing draw(const Figure& figure) {
-  std::string elements = svg::text({plot_left, 30}, figure.title,
-                                   {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
-  double top = first_plot_top;
+  std::string elements = svg::text({plot_left, 30}, figure.title, {.size = title_size, .weight = "bold"});
+  double top = plot_top;
   elements += draw_panels(figure, top);
   const double width = page_width(figure);
   const svg::NoteBlock notes =

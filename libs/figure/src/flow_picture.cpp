@@ -14,8 +14,7 @@ namespace beadswim {
 namespace {
 
 // Dimensions of the page [px].
-constexpr double max_width = 560, max_height = 440, plot_top = 52;
-constexpr double below_plot = 66;       // for tick labels and the axis label
+constexpr double max_width = 560, max_height = 440;
 constexpr double pixel = 2;             // edge of the squares of the map
 constexpr int colour_steps = 40;        // of the map
 constexpr double min_bar_height = 120;  // of the colour bar with its name
@@ -49,8 +48,7 @@ double value_of(const Vec3& velocity, FlowQuantity quantity) {
 }
 
 AxisLabel label_of(const FlowPicture& picture) {
-  constexpr std::array names{"speed", "ux", "uy", "uz"};
-  return {names[static_cast<std::size_t>(picture.quantity)], picture.velocity_unit};
+  return {to_text(picture.quantity), picture.velocity_unit};
 }
 
 /// Returns a scale for the values in all cells. That of a speed is logarithmic if the values span decades;
@@ -105,8 +103,7 @@ class FlowPainter {
                      std::max(90.0, svg::text_width(label_text(label_of(picture_), colours_.values.exponent),
                                                     label_size)),
                  plot_left + svg::text_width(picture_.title, title_size)));
-    std::string elements = svg::text({plot_left, 30}, picture_.title,
-                                     {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
+    std::string elements = svg::text({plot_left, 30}, picture_.title, {.size = title_size, .weight = "bold"});
     elements += draw_x_axis(area_, {std::string(1, "xyz"[right]), unit}) +
                 draw_y_axis(area_, {std::string(1, "xyz"[up]), unit});
     elements += draw_map();

@@ -9,7 +9,7 @@ namespace beadswim {
 namespace {
 
 constexpr double tick_length = 5, minor_tick_length = 3;  // [px]
-const svg::Stroke grid_stroke{.colour = "#e4e4e4", .width = 0.8, .dashes = ""};
+const svg::Stroke grid_stroke{.colour = "#e4e4e4", .width = 0.8};
 
 }  // namespace
 

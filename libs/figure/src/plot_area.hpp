@@ -14,11 +14,12 @@
 namespace beadswim {
 
 inline constexpr double title_size = 14, label_size = 12.5, tick_size = 11;  // font sizes [px]
-inline constexpr double page_margin = 16, plot_left = 84;                    // of the page [px]
+inline constexpr double page_margin = 16, plot_left = 84, plot_top = 52;     // of the page [px]
+inline constexpr double below_plot = 66;  // for tick labels and the x label [px]
 inline constexpr double panel_width = 440, panel_height = 220;               // of the plot of a panel [px]
 inline constexpr double legend_gap = 18;  // between a plot and its legend or colour bar [px]
 
-inline const svg::Stroke frame_stroke{.colour = "#000000", .width = 1, .dashes = ""};
+inline const svg::Stroke frame_stroke{.colour = "#000000", .width = 1};
 
 /// Place of a plot on the page [px], and its mapping of data to points on the page.
 struct PlotArea {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "beadswim/core/csv.hpp"
 #include "beadswim/core/error.hpp"
@@ -16,15 +15,14 @@ namespace {
 
 // Dimensions of the page [px], unless stated otherwise.
 constexpr double scale_bar_room = 16;  // below the box [px]
-constexpr double margin = 16;
 constexpr double picture_top = 44, picture_width = 720, picture_height = 560;
 constexpr double line_pitch = 16;
 constexpr double bond_width = 0.26;  // relative to reference_radius()
 constexpr double mark_size = 17, halo = 3.5;
-const svg::Stroke edge_stroke{.colour = "#8a8a8a", .width = 0.8, .dashes = ""};
+const svg::Stroke edge_stroke{.colour = "#8a8a8a", .width = 0.8};
 const svg::Stroke hidden_edge_stroke{.colour = "#bdbdbd", .width = 0.8, .dashes = "3 3"};
-const svg::Stroke distance_stroke{.colour = "#000000", .width = 1.1, .dashes = ""},
-    witness_stroke{.colour = "#000000", .width = 0.6, .dashes = ""};
+const svg::Stroke distance_stroke{.colour = "#000000", .width = 1.1},
+    witness_stroke{.colour = "#000000", .width = 0.6};
 
 /// SVG element of a bead or a bond, with the depth at which it is drawn.
 struct Piece {
@@ -44,11 +42,12 @@ class SwimmerColours {
     }
     for (int i = 0; i < shades; ++i) colours_.push_back(dark_to_light(static_cast<double>(i) / (shades - 1)));
     colours_.emplace_back("#bbbbbb");
-    for (const PicturedSwimmer& swimmer : picture.swimmers) {
-      if (!swimmer.value) continue;
-      low_ = std::min(low_, *swimmer.value);
-      high_ = std::max(high_, *swimmer.value);
-    }
+    std::vector<double> values;
+    for (const PicturedSwimmer& swimmer : picture.swimmers)
+      if (swimmer.value) values.push_back(*swimmer.value);
+    if (values.empty()) return;
+    const auto [low, high] = std::ranges::minmax(values);
+    scale_ = {exact_scale(low, high, ScaleKind::linear), dark_to_light};
   }
 
   const std::vector<std::string>& all() const { return colours_; }
@@ -56,21 +55,18 @@ class SwimmerColours {
   std::size_t place_of(const PicturedSwimmer& swimmer) const {
     if (!shows_values_) return svg::palette_place(swimmer.colour);
     if (!swimmer.value) return shades;
-    const double share = high_ > low_ ? (*swimmer.value - low_) / (high_ - low_) : 0.5;
-    return static_cast<std::size_t>(std::lround(share * (shades - 1)));
+    return static_cast<std::size_t>(std::lround(scale_->share_of(*swimmer.value) * (shades - 1)));
   }
   /// Draws the bar of the values; empty if there are none.
   std::string bar(const SwarmPicture& picture, svg::Point top_left, double height) const {
-    if (high_ < low_) return {};
-    return draw_colour_bar(top_left, height, {exact_scale(low_, high_, ScaleKind::linear), dark_to_light},
-                           picture.value_label);
+    return scale_ ? draw_colour_bar(top_left, height, *scale_, picture.value_label) : "";
   }
 
  private:
   static constexpr int shades = 32;
   bool shows_values_;
   std::vector<std::string> colours_;
-  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+  std::optional<ColourScale> scale_;  ///< nullopt: there are no values
 };
 
 /// Returns the element of a bead. Numbers have only one decimal, because a swarm has many beads and the
@@ -231,12 +227,12 @@ std::string draw_scale_bar(const SwarmPicture& picture, const Perspective& view)
   for (const svg::Point& end : {a, b}) elements += svg::line(end - half_end, end + half_end, distance_stroke);
   return elements + svg::text({a.x(), b.y() + label_size + 3},
                               fmt::format("{:g} {}", length, picture.length_unit),
-                              {.size = label_size, .anchor = svg::Anchor::start, .halo = halo});
+                              {.size = label_size, .halo = halo});
 }
 
 std::string draw_keys(const SwarmPicture& picture, double top) {
   std::string elements;
-  double x = margin + 6;
+  double x = page_margin + 6;
   for (std::size_t colour = 0; colour < picture.keys.size(); ++colour) {
     elements += bead_element({x, top - 4}, 6, svg::palette_place(static_cast<int>(colour)));
     elements += svg::text({x + 12, top}, picture.keys[colour], {label_size});
@@ -262,7 +258,8 @@ Block extent_of(const SwarmPicture& picture) {
 
 /// Returns the space beside the swarm for the widest distance label, or for the colour bar [px].
 double label_room(const SwarmPicture& picture) {
-  double room = picture.value_label.quantity.empty() ? 0 : colour_bar_width(picture.value_label) + margin;
+  double room =
+      picture.value_label.quantity.empty() ? 0 : colour_bar_width(picture.value_label) + page_margin;
   for (const PictureDistance& distance : picture.distances)
     room = std::max(room, svg::text_width(distance.label, label_size));
   return room;
@@ -298,26 +295,26 @@ Drawing draw(const SwarmPicture& picture) {
   if (picture.swimmers.empty())
     throw InputError("figure",
                      "there is no swimmer to draw; give a layout or a trajectory that contains swimmers");
-  const Perspective view(extent_of(picture), {margin, picture_top}, picture_width, picture_height);
+  const Perspective view(extent_of(picture), {page_margin, picture_top}, picture_width, picture_height);
   const double radius = view.projected_size(picture.box / 2, reference_radius(picture));
-  const double width = std::max(view.size().x() + label_room(picture) + 2 * margin, 420.0);
+  const double width = std::max(view.size().x() + label_room(picture) + 2 * page_margin, 420.0);
   const SwimmerColours colours(picture);
   double top = picture_top + view.size().y() + 12 + scale_bar_room;
 
   std::string elements =
       definitions(colours.all(), std::max(0.3, bond_width * radius), std::clamp(radius / 15, 0.1, 0.6));
-  elements += svg::text({margin, 28}, picture.title,
-                        {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
+  elements += svg::text({page_margin, 28}, picture.title, {.size = title_size, .weight = "bold"});
   elements += draw_edges(picture, view, true);
   elements += draw_swimmers(picture, colours, view);
-  elements += colours.bar(picture, {2 * margin + view.size().x(), picture_top},
+  elements += colours.bar(picture, {2 * page_margin + view.size().x(), picture_top},
                           std::clamp(view.size().y(), 90.0, 240.0));
   elements += draw_edges(picture, view, false) + draw_axis_names(picture, view);
   for (const PictureDistance& distance : picture.distances) elements += draw_distance(distance, view);
   elements += draw_marks(picture, view) + draw_scale_bar(picture, view);
   if (!picture.keys.empty()) elements += draw_keys(picture, top += line_pitch);
-  const svg::NoteBlock notes = svg::draw_notes(picture.notes, {margin, top + line_pitch}, width - 2 * margin);
-  return {.svg = svg::document(width, notes.bottom + margin, picture.title, elements + notes.elements),
+  const svg::NoteBlock notes =
+      svg::draw_notes(picture.notes, {page_margin, top + line_pitch}, width - 2 * page_margin);
+  return {.svg = svg::document(width, notes.bottom + page_margin, picture.title, elements + notes.elements),
           .csv = beads_to_csv(picture)};
 }
 

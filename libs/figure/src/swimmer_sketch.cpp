@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "beadswim/core/csv.hpp"
-#include "svg.hpp"
+#include "plot_area.hpp"
 
 namespace beadswim {
 namespace {
@@ -18,17 +18,17 @@ constexpr double max_width = 620,
 constexpr double forces_height = 44;   // space above the largest bead for horizontal forces
 constexpr double lengths_height = 66;  // distance from the largest bead to the notes below
 constexpr double force_length = 64, force_gap = 14;
-constexpr double title_size = 14, label_size = 12.5, line_pitch = 16;
+constexpr double line_pitch = 16;
 // `arm_offset` is the distance of a spring, and of its dashpot, from the axis of the swimmer.
 constexpr double spring_height = 8, dashpot_height = 7, arm_offset = 13;
 constexpr int spring_turns = 7;
 
 const std::string bead_fill = "#cfe3f1";
-const svg::Stroke bead_stroke{.colour = svg::palette[0], .width = 1.4, .dashes = ""},
-    spring_stroke{.colour = "#333333", .width = 1.4, .dashes = ""};
-const svg::Stroke force_stroke{.colour = svg::palette[1], .width = 2, .dashes = ""},
-    length_stroke{.colour = "#000000", .width = 0.9, .dashes = ""};
-const svg::Stroke witness_stroke{.colour = "#8a8a8a", .width = 0.7, .dashes = ""},
+const svg::Stroke bead_stroke{.colour = svg::palette[0], .width = 1.4},
+    spring_stroke{.colour = "#333333", .width = 1.4};
+const svg::Stroke force_stroke{.colour = svg::palette[1], .width = 2},
+    length_stroke{.colour = "#000000", .width = 0.9};
+const svg::Stroke witness_stroke{.colour = "#8a8a8a", .width = 0.7},
     axis_stroke{.colour = "#8a8a8a", .width = 0.9, .dashes = "8 3 2 3"};
 
 /// Positions and sizes of the beads on the page [px].
@@ -166,8 +166,7 @@ double page_width(const SwimmerSketch& sketch, const PageLayout& page) {
 
 Drawing draw(const SwimmerSketch& sketch) {
   const PageLayout page = lay_out_page(sketch);
-  std::string elements = svg::text({margin, 28}, sketch.title,
-                                   {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
+  std::string elements = svg::text({margin, 28}, sketch.title, {.size = title_size, .weight = "bold"});
   elements += draw_axis(page);
   for (std::size_t bead = 0; bead < 3; ++bead)
     elements += draw_bead(sketch, page, bead) + draw_force(sketch, page, bead);
