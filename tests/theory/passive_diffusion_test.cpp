@@ -50,6 +50,28 @@ TEST(PassiveDiffusion, OfATriangleHasThreeRotations) {
   EXPECT_LT(flat.translation, 1);
 }
 
+// Arms that change together: the mean of the diffusion of triples at rest.
+TEST(PassiveDiffusion, IsItsMeanOverTheStroke) {
+  SwimmerType type = line_of(3, 5);
+  for (const int k : {0, 1})
+    type.bonds.push_back({{.stiffness = 1, .rest_length = 5, .damping = 0}, {k, k + 1}});
+  const double amplitude = 2, mean = 5.5;
+  PassiveDiffusion expected;
+  constexpr int times = 100;
+  for (int t = 0; t < times; ++t) {
+    const double l = mean + amplitude * std::cos(2 * std::numbers::pi * t / times);
+    const auto [translation, rotation] = passive_diffusion(line_of(3, l), warm_fluid());
+    expected.translation += translation / times;
+    expected.rotation += rotation / times;
+  }
+  const ThermalPrediction found =
+      predicted_diffusion(type, warm_fluid(), 0, {{amplitude, amplitude}, {1, 1}}, {mean, mean});
+  EXPECT_NEAR(found.passive_diffusion, expected.translation, 1e-6 * expected.translation);
+  EXPECT_NEAR(found.rotational_diffusion, expected.rotation, 1e-6 * expected.rotation);
+  EXPECT_NEAR(found.rotational_diffusion / passive_diffusion(line_of(3, mean), warm_fluid()).rotation, 1.2,
+              0.1);
+}
+
 // The mean square displacement begins as 6 D_0 t + v^2 t^2 and ends with the slope 6 D.
 TEST(PassiveDiffusion, TurnsASwimmersMotionIntoDiffusion) {
   constexpr double speed = 3;

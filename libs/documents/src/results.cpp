@@ -196,7 +196,7 @@ void add_diffusion(const DiffusionStatistics& diffusion, const SwimmerType* type
     results[ResultQuantity::rotational_diffusion] = result_of(*found);
   if (type == nullptr || scene == nullptr) return;
   ResultValue peclet = results.at(ResultQuantity::speed_along_axis);
-  for (double& number : peclet.numbers) number = predicted_diffusion(*type, scene->fluid, number).peclet;
+  for (double& number : peclet.numbers) number = peclet_number(*type, scene->fluid, number);
   results[ResultQuantity::peclet] = peclet;
 }
 

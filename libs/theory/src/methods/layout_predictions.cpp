@@ -208,7 +208,8 @@ LayoutPredictions predict_layout(const Layout& in_layout_units, const std::strin
     for (Prediction& prediction : predicted.predictions)
       prediction.thermal = predicted_diffusion(
           in_layout_units.resolved_type(find_swimmer(in_layout_units, swimmer.id, source)),
-          in_layout_units.fluid, prediction.velocity);
+          in_layout_units.fluid, prediction.velocity, prediction.stroke,
+          prediction.arm_means.value_or(std::vector<double>{}));
   if (std::string warning = warning_of_fixed_forces(layout); !warning.empty())
     predicted.warnings.push_back(std::move(warning));
   if (layout.fluid.thermal_energy > 0)

@@ -49,7 +49,7 @@ TypeNumbers type_numbers(const SwimmerType& type, const Motion& motion, const La
     reason_against([&] {
       const ShapedSwimmer swimmer{type, Eigen::Matrix3d::Identity(), layout.fluid.dynamic_viscosity()};
       const double speed = second_order_motion(swimmer, rotne_prager_tensor).velocity;
-      numbers.peclet = predicted_diffusion(type, layout.fluid, speed).peclet;
+      numbers.peclet = peclet_number(type, layout.fluid, speed);
     });
   }
   if (const auto three = three_bead_form(type)) numbers.phase = three->driving.phase;

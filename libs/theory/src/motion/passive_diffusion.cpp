@@ -1,6 +1,8 @@
 #include "beadswim/theory/passive_diffusion.hpp"
 
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "beadswim/collinear/rotne_prager.hpp"
 #include "beadswim/core/dense_systems.hpp"
@@ -26,12 +28,56 @@ PassiveDiffusion passive_diffusion(const SwimmerType& type, const Fluid& fluid) 
           .rotation = fluid.thermal_energy * (rotation(1, 1) + rotation(2, 2)) / 2};
 }
 
-ThermalPrediction predicted_diffusion(const SwimmerType& type, const Fluid& fluid, double speed) {
-  const auto [translation, rotation] = passive_diffusion(type, fluid);
+double peclet_number(const SwimmerType& type, const Fluid& fluid, double speed) {
+  return speed * reach_of_surfaces(type, 0).length() / passive_diffusion(type, fluid).translation;
+}
+
+namespace {
+
+/// Returns true if bond k of the swimmer links beads k and k + 1 of a line.
+bool is_chain(const SwimmerType& type) {
+  if (!is_straight(type) || type.bonds.size() + 1 != type.beads.size()) return false;
+  for (int k = 0; k < std::ssize(type.bonds); ++k)
+    if (type.bonds[k].beads != std::array{k, k + 1}) return false;
+  return true;
+}
+
+/// Returns a chain with arms of these lengths.
+SwimmerType with_arms(SwimmerType chain, const std::vector<double>& lengths) {
+  const std::vector<BeadAtRest> rest = chain.beads;
+  for (std::size_t k = 0; k < lengths.size(); ++k)
+    chain.beads[k + 1].at = chain.beads[k].at + lengths[k] * (rest[k + 1].at - rest[k].at).normalized();
+  return chain;
+}
+
+/// Returns the mean of the diffusion over a stroke.
+PassiveDiffusion diffusion_in_stroke(const SwimmerType& type, const Fluid& fluid, const Stroke& stroke,
+                                     const std::vector<double>& arm_means) {
+  const std::size_t arms = type.bonds.size();
+  if (!is_chain(type) || stroke.amplitude.size() != arms) return passive_diffusion(type, fluid);
+  constexpr int times = 16;
+  PassiveDiffusion mean;
+  for (int t = 0; t < times; ++t) {
+    std::vector<double> lengths;
+    for (std::size_t k = 0; k < arms; ++k)
+      lengths.push_back((arm_means.size() == arms ? arm_means[k] : type.bonds[k].rest_length) +
+                        stroke.amplitude[k] * std::cos(2 * std::numbers::pi * t / times + stroke.phase[k]));
+    const PassiveDiffusion present = passive_diffusion(with_arms(type, lengths), fluid);
+    mean.translation += present.translation / times;
+    mean.rotation += present.rotation / times;
+  }
+  return mean;
+}
+
+}  // namespace
+
+ThermalPrediction predicted_diffusion(const SwimmerType& type, const Fluid& fluid, double speed,
+                                      const Stroke& stroke, const std::vector<double>& arm_means) {
+  const auto [translation, rotation] = diffusion_in_stroke(type, fluid, stroke, arm_means);
   return {.passive_diffusion = translation,
           .rotational_diffusion = rotation,
           .effective_diffusion = translation + (rotation > 0 ? speed * speed / (6 * rotation) : 0),
-          .peclet = speed * reach_of_surfaces(type, 0).length() / translation};
+          .peclet = peclet_number(type, fluid, speed)};
 }
 
 double mean_square_displacement(const ThermalPrediction& diffusion, double speed, double t) {
