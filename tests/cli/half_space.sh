@@ -136,8 +136,8 @@ writes_file() { # the command writes a file and no error
   run "$@"
   has_status 0
 }
-writes_file beadswim-view over.h5md -o over.html
-check 'the page lacks the wall' grep -q '"walls":\[{"axis":2,"at":0.0}\]' over.html
+views over.h5md over.html &&
+  check 'the page lacks the wall' grep -q '"walls":\[{"axis":2,"at":0.0}\]' over.html
 writes_file beadswim-plot trajectories over.h5md --along z --against angle -o angle.svg
 check 'the figure lacks the angle' grep -q 'angle of the axis to the plane across z' angle.svg
 check 'the figure does not name the half-space' grep -q 'half-space z &gt; 0 over a no-slip wall' angle.svg

@@ -15,6 +15,8 @@
 #   valid SCHEMA FILE        checks that python3-jsonschema, a validator of another project, accepts FILE by SCHEMA.schema.json
 #   same_bytes A B           checks that two shell commands, given as text, write the same bytes, and not nothing
 #   stored_documents         copies the documents of tests/data/compare, and makes NAME_shorter_period.json of both, with another period
+#   views FILE PAGE          runs beadswim-view FILE -o PAGE and checks for exit status 0; returns failure, with a notice, where npm
+#                            could not install what pages are made with (with BEADSWIM_NONE_SKIPPED, this is a failed check)
 #   skip REASON              ends the script as skipped, or as failed if BEADSWIM_NONE_SKIPPED is set
 #   rest_is_long             ends the script like finish, unless it runs as cli.NAME.long, a test that is labelled slow
 #   finish                   ends the script, with exit status 1 if a check failed; must be its last line
@@ -119,6 +121,15 @@ stored_documents() {
   cp "$BEADSWIM_SOURCE"/tests/data/compare/*.json .
   jq '.driving.period = 2000 | .swimmers[].cycles[].velocity[0] *= 0.85' run.json >run_shorter_period.json
   jq '.predictions[] |= (.settings.period = 2000 | .velocity *= 0.9)' prediction.json >prediction_shorter_period.json
+}
+
+views() {
+  run beadswim-view "$1" -o "$2"
+  if [ -z "${BEADSWIM_NONE_SKIPPED:-}" ] && [ "$status" -eq 2 ] && grep -q 'npm\|Node.js' err; then
+    echo "without pages of beadswim-view: $(cat err)"
+    return 1
+  fi
+  has_status 0
 }
 
 skip() {

@@ -448,7 +448,7 @@ sed -n 1p strong.jsonl >weak.json
 run beadswim-theory weak.json --method oseen-stroke-closed --stroke-from strong-runs.jsonl
 has_status 0
 err_has '1 of 2 documents of strong-runs.jsonl have no result'
-accepts beadswim-view strong-2.h5md -o strong.html
+views strong-2.h5md strong.html && err_empty
 refuses 'each of the 8 layouts needs a trajectory of its own; write \{\} once' beadswim-run study.jsonl "${runs[@]}" -o run.h5md
 refuses '--cells-per-radius: the setting applies to the lattice only' beadswim-run study.jsonl "${runs[@]}" --cells-per-radius 3 -o run-{}.h5md
 refuses '--ranks-per-run: 2 is more than the 1 ranks' beadswim-run study.jsonl "${runs[@]}" --ranks-per-run 2 -o run-{}.h5md

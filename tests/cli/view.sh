@@ -4,9 +4,7 @@ source "$(dirname "$0")/harness.sh"
 
 beadswim-layout swarm --preset paper-uniform --blocks 1,2,2 --block-swimmers 1,1,1 | beadswim-layout defect jitter --sigma 0.5 --seed 1 >swarm.json 2>err
 beadswim-run swarm.json --model rpy -o swarm.h5md --cycles 1.5 --progress none >swarm.record 2>err
-run beadswim-view swarm.h5md -o swarm.html
-if [ "$status" -eq 2 ] && grep -q 'npm\|Node.js' err; then skip "$(cat err)"; fi
-has_status 0
+views swarm.h5md swarm.html || skip "$(cat err)"
 err_empty
 out_empty
 
