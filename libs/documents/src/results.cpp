@@ -217,21 +217,37 @@ Results means_with_noise(const RunRecord& run, const SwimmerRecord& swimmer, con
   return means;
 }
 
+UnitExponents exponents_of(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::number:
+      return {};
+    case Dimension::angle:
+      return {.is_angle = true};
+    case Dimension::length:
+      return {.length = 1};
+    case Dimension::velocity:
+      return {.length = 1, .time = -1};
+    case Dimension::angular_velocity:
+      return {.time = -1, .is_angle = true};
+    case Dimension::power:
+      return {.mass = 1, .length = 2, .time = -3};
+    case Dimension::energy:
+      return {.mass = 1, .length = 2, .time = -2};
+    case Dimension::diffusion:
+      return {.length = 2, .time = -1};
+    case Dimension::rate:
+      return {.time = -1};
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string unit_of(ResultQuantity quantity, const Units& units) {
-  constexpr std::array<UnitExponents, 9> of_dimensions{{{},
-                                                        {.is_angle = true},
-                                                        {.length = 1},
-                                                        {.length = 1, .time = -1},
-                                                        {.time = -1, .is_angle = true},
-                                                        {.mass = 1, .length = 2, .time = -3},
-                                                        {.mass = 1, .length = 2, .time = -2},
-                                                        {.length = 2, .time = -1},
-                                                        {.time = -1}}};
   const Dimension dimension = row_of(quantity).dimension;
-  if (units.lattice && dimension > Dimension::velocity) return "";
-  return unit_text(of_dimensions[static_cast<std::size_t>(dimension)], units);
+  const bool is_geometric = dimension == Dimension::angle || dimension == Dimension::length;
+  if (units.lattice && !is_geometric && dimension != Dimension::velocity) return "";
+  return unit_text(exponents_of(dimension), units);
 }
 
 Results mean_of(const std::vector<Results>& all) {
