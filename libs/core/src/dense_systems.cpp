@@ -37,10 +37,6 @@ SymmetricModes::SymmetricModes(const Eigen::MatrixXd& matrix) {
   vectors = solver.eigenvectors();
 }
 
-bool is_positive_definite(const Eigen::MatrixXd& matrix) {
-  return matrix.llt().info() == Eigen::Success;
-}
-
 std::optional<Eigen::MatrixXd> cholesky_factor(const Eigen::MatrixXd& matrix) {
   const Eigen::LLT<Eigen::MatrixXd> decomposition(matrix);
   if (decomposition.info() != Eigen::Success) return std::nullopt;

@@ -29,10 +29,10 @@ struct LanczosRoot {
 LanczosRoot lanczos_root(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply,
                          const Eigen::VectorXd& scale, const Eigen::VectorXd& z, double tolerance,
                          const Communicator& communicator) {
-  constexpr Eigen::Index max_products = 100;
+  constexpr Eigen::Index max_products = 100, usual_products = 16;
   const Eigen::Index size = z.size(), most = std::min(size, max_products);
   LanczosRoot result;
-  Eigen::MatrixXd columns(size, most), T = Eigen::MatrixXd::Zero(most, most);
+  Eigen::MatrixXd columns(size, std::min(most, usual_products)), T = Eigen::MatrixXd::Zero(most, most);
   columns.col(0) = z.normalized();
   Eigen::VectorXd root;  // T^(1/2) e_1
   for (Eigen::Index k = 0;; ++k) {
@@ -57,6 +57,8 @@ LanczosRoot lanczos_root(const std::function<Eigen::VectorXd(const Eigen::Vector
     // Products have errors of about the tolerance, by which eigenvalues near zero can become negative.
     const bool is_positive = smallest > -10 * tolerance;
     if (result.error > tolerance && is_positive && k + 1 < most) {
+      if (k + 1 == columns.cols())
+        columns.conservativeResize(Eigen::NoChange, std::min(most, 2 * columns.cols()));
       columns.col(k + 1) = next.normalized();
       continue;
     }
@@ -113,10 +115,10 @@ MobilityRoot::MobilityRoot(const MobilityScene& scene, std::span<const Vec3> pos
 
 MobilityRoot::~MobilityRoot() = default;
 
-/// Returns true if the matrix of the mobility takes less time than products with it.
+/// Returns true if a Cholesky decomposition of the mobility takes less time than products with it.
 bool MobilityRoot::has_small_matrix() const {
-  constexpr std::size_t most_spheres = 24;
-  return scene_.radii.size() <= most_spheres && !scene_.domain.box && !scene_.domain.half_space &&
+  constexpr std::size_t max_spheres = 24;
+  return scene_.radii.size() <= max_spheres && !scene_.domain.box && !scene_.domain.half_space &&
          scene_.model != MobilityModel::oseen && scene_.model != MobilityModel::rpy_near &&
          highest_moment(scene_) == 0;
 }

@@ -99,7 +99,7 @@ ShapeFlow::ShapeFlow(const ShapedSwimmer& swimmer, const ShapeMobility& mobility
 }
 
 void ShapeFlow::require_positive_mobility(const BeadVectors& beads) const {
-  if (!mobility_.may_be_indefinite || is_positive_definite(mobility_.matrix(beads))) return;
+  if (!mobility_.may_be_indefinite || cholesky_factor(mobility_.matrix(beads))) return;
   throw InputError("stroke",
                    "the mobility by the Oseen tensor is not positive definite: forces would move beads "
                    "backwards, because beads are too close to each other or to the wall; use a method with "

@@ -30,8 +30,6 @@ struct SymmetricModes {
   Eigen::MatrixXd vectors;  ///< one per column
 };
 
-bool is_positive_definite(const Eigen::MatrixXd& matrix);
-
 /// Returns the lower triangular matrix L with L L^T = matrix (Cholesky); nullopt if the matrix is not
 /// positive definite.
 std::optional<Eigen::MatrixXd> cholesky_factor(const Eigen::MatrixXd& matrix);

@@ -9,8 +9,8 @@
 #include "beadswim/mobility/mobility.hpp"
 
 // Root B of a mobility, B B^T = mu, applied to normally distributed numbers z. The velocities sqrt(2 kT/h) B
-// z are the thermal noise of a time step h. For few spheres in open space B is the triangular matrix of
-// Cholesky. Else the root is found by products alone (method of Lanczos):
+// z are the thermal noise of a time step h. For few spheres in open space, B is the Cholesky factor
+// of mu. Otherwise, the root is found by products alone (method of Lanczos):
 //
 //   M^(1/2) z = |z| V T^(1/2) e_1,   M = S^-1 mu S^-1,   B z = S M^(1/2) z
 //
